@@ -1,0 +1,119 @@
+#include "core/modal/membrane.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <queue>
+#include <stdexcept>
+#include <string>
+
+namespace percussionist::modal {
+
+namespace {
+
+using std::numbers::pi;
+
+double bessel_j(int m, double x) {
+    return std::cyl_bessel_j(static_cast<double>(m), x);
+}
+
+double bessel_j_derivative(int m, double x) {
+    return m == 0 ? -bessel_j(1, x) : 0.5 * (bessel_j(m - 1, x) - bessel_j(m + 1, x));
+}
+
+/// Zeros of J_m are more than 3 apart beyond the first, which lies above m: walk in steps that
+/// cannot skip two, then close in by bisection and polish by Newton.
+double next_zero(int m, double from) {
+    constexpr double kStep = 0.5;
+    double low = from;
+    double high = low + kStep;
+    while (std::signbit(bessel_j(m, low)) == std::signbit(bessel_j(m, high))) {
+        low = high;
+        high += kStep;
+    }
+    for (int i = 0; i < 20; ++i) {
+        const double middle = 0.5 * (low + high);
+        const bool same = std::signbit(bessel_j(m, middle)) == std::signbit(bessel_j(m, low));
+        (same ? low : high) = middle;
+    }
+    double x = 0.5 * (low + high);
+    for (int i = 0; i < 4; ++i) {
+        x -= bessel_j(m, x) / bessel_j_derivative(m, x);
+    }
+    return x;
+}
+
+/// Just past a zero of J_m, from where the next one is sought.
+constexpr double kPastZero = 0.1;
+
+void require_positive(double value, const char* name) {
+    if (!(std::isfinite(value) && value > 0.0)) {
+        throw std::invalid_argument(std::string("membrane: ") + name +
+                                    " must be a finite number above 0, not " +
+                                    std::to_string(value));
+    }
+}
+
+struct Candidate {
+    int m;
+    int n;
+    double zero;
+    bool operator>(const Candidate& other) const { return zero > other.zero; }
+};
+
+}  // namespace
+
+double bessel_zero(int m, int n) {
+    double x = next_zero(m, m + kPastZero);
+    for (int i = 1; i < n; ++i) {
+        x = next_zero(m, x + kPastZero);
+    }
+    return x;
+}
+
+double MembraneMode::shape(double r, double theta) const {
+    if (r >= radius) {
+        return 0.0;
+    }
+    const double angle = diameters * theta;
+    return bessel_j(diameters, bessel_zero * r / radius) *
+           (sine ? std::sin(angle) : std::cos(angle));
+}
+
+std::vector<MembraneMode> membrane_modes(const Membrane& membrane, std::size_t count) {
+    require_positive(membrane.radius, "radius");
+    require_positive(membrane.tension, "tension");
+    require_positive(membrane.surface_density, "surface density");
+    const double wave_speed = std::sqrt(membrane.tension / membrane.surface_density);
+    const double area = pi * membrane.radius * membrane.radius;
+
+    // For each m the next zero waits in the queue; j_m1 grows with m, so that a new m need only be
+    // opened once the one before has given its first.
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> waiting;
+    waiting.push({0, 1, bessel_zero(0, 1)});
+    std::vector<MembraneMode> modes;
+    modes.reserve(count);
+    while (modes.size() < count) {
+        const Candidate c = waiting.top();
+        waiting.pop();
+        waiting.push({c.m, c.n + 1, next_zero(c.m, c.zero + kPastZero)});
+        if (c.n == 1) {
+            waiting.push({c.m + 1, 1, bessel_zero(c.m + 1, 1)});
+        }
+        const double slope = bessel_j(c.m + 1, c.zero);
+        MembraneMode mode;
+        mode.diameters = c.m;
+        mode.circles = c.n;
+        mode.bessel_zero = c.zero;
+        mode.radius = membrane.radius;
+        mode.angular_frequency = c.zero * wave_speed / membrane.radius;
+        mode.modal_mass = membrane.surface_density * area * slope * slope * (c.m == 0 ? 1.0 : 0.5);
+        modes.push_back(mode);
+        if (c.m > 0 && modes.size() < count) {
+            mode.sine = true;
+            modes.push_back(mode);
+        }
+    }
+    return modes;
+}
+
+}  // namespace percussionist::modal
