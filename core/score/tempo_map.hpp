@@ -68,6 +68,8 @@ class TempoMap {
         double quarters_per_beat = 1.0;
     };
 
+    void begin_piece(const TickDivision& division, const TempoChange& change);
+    void begin_metre(const MetreChange& change);
     [[nodiscard]] const Piece& piece_of(double tick) const;
     [[nodiscard]] double quarters(double tick) const;
     [[nodiscard]] Position count(double quarter) const;
