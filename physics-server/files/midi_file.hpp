@@ -51,7 +51,7 @@ struct MidiFile {
 /// `name` is what errors call the file. Throws MidiError.
 MidiFile parse_midi(std::span<const std::uint8_t> bytes, std::string_view name);
 
-/// Throws MidiError, also for a file that cannot be opened or is above 64 MB.
+/// Throws MidiError, also for a file that cannot be opened or is above 16 MB.
 MidiFile read_midi_file(const std::filesystem::path& path);
 
 /// The percussion notes in seconds; all notes if none is percussion (a warning said so).

@@ -1,0 +1,88 @@
+#include "physics-server/files/wav_file.hpp"
+
+#include <sndfile.h>
+
+#include <memory>
+#include <string>
+
+namespace percussionist::files {
+
+namespace {
+
+struct Close {
+    void operator()(SNDFILE* file) const { sf_close(file); }
+};
+using File = std::unique_ptr<SNDFILE, Close>;
+
+/// Some 24 hours of stereo at 48 kHz: what claims more is damaged.
+constexpr sf_count_t kMostSamples = 8'000'000'000;
+
+File open(const std::filesystem::path& path, int mode, SF_INFO& info) {
+    File file(sf_open(path.c_str(), mode, &info));
+    if (!file) {
+        throw AudioError(path.string() + ": " + sf_strerror(nullptr));
+    }
+    return file;
+}
+
+}  // namespace
+
+Audio read_audio(const std::filesystem::path& path) {
+    SF_INFO info{};
+    const File file = open(path, SFM_READ, info);
+    if (info.frames < 0 || info.frames > kMostSamples / info.channels) {
+        throw AudioError(path.string() + ": claims " + std::to_string(info.frames) + " frames");
+    }
+    Audio audio;
+    audio.rate = info.samplerate;
+    audio.channels = info.channels;
+    // In pieces, so that a header that promises too much takes no memory for it.
+    constexpr sf_count_t kPiece = 65536;
+    std::vector<double> piece(static_cast<std::size_t>(kPiece * info.channels));
+    for (sf_count_t got = 1; got > 0;) {
+        got = sf_readf_double(file.get(), piece.data(), kPiece);
+        audio.samples.insert(audio.samples.end(), piece.begin(),
+                             piece.begin() + got * info.channels);
+    }
+    if (sf_error(file.get()) != SF_ERR_NO_ERROR) {
+        throw AudioError(path.string() + ": " + sf_strerror(file.get()));
+    }
+    return audio;
+}
+
+void write_wav(const std::filesystem::path& path, const Audio& audio, SampleFormat format) {
+    if (audio.rate <= 0 || audio.channels <= 0 ||
+        audio.samples.size() % static_cast<std::size_t>(audio.channels) != 0) {
+        throw AudioError(path.string() + ": cannot write " + std::to_string(audio.samples.size()) +
+                         " samples as " + std::to_string(audio.channels) + " channels at " +
+                         std::to_string(audio.rate) + " Hz");
+    }
+    SF_INFO info{};
+    info.samplerate = audio.rate;
+    info.channels = audio.channels;
+    info.format =
+        SF_FORMAT_WAV | (format == SampleFormat::pcm16 ? SF_FORMAT_PCM_16 : SF_FORMAT_FLOAT);
+    File file = open(path, SFM_WRITE, info);
+    sf_command(file.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);
+    sf_command(file.get(), SFC_SET_CLIPPING, nullptr, SF_TRUE);
+    const auto count = static_cast<sf_count_t>(audio.samples.size());
+    if (sf_write_double(file.get(), audio.samples.data(), count) != count) {
+        throw AudioError(path.string() + ": " + sf_strerror(file.get()));
+    }
+    sf_write_sync(file.get());
+}
+
+std::vector<double> mono(const Audio& audio) {
+    const auto channels = static_cast<std::size_t>(audio.channels);
+    std::vector<double> mean(audio.samples.size() / channels);
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+        double sum = 0.0;
+        for (std::size_t c = 0; c < channels; ++c) {
+            sum += audio.samples[i * channels + c];
+        }
+        mean[i] = sum / static_cast<double>(channels);
+    }
+    return mean;
+}
+
+}  // namespace percussionist::files
