@@ -269,9 +269,12 @@ MidiFile read_midi_file(const std::filesystem::path& path) {
     if (!stream || std::filesystem::is_directory(path, error)) {
         throw MidiError(path.string() + ": cannot be opened");
     }
-    std::vector<std::uint8_t> bytes(kLargestFile + 1);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    std::vector<std::uint8_t> bytes;
+    std::array<char, 65536> piece{};
+    while (bytes.size() <= kLargestFile && stream) {
+        stream.read(piece.data(), piece.size());
+        bytes.insert(bytes.end(), piece.begin(), piece.begin() + stream.gcount());
+    }
     if (bytes.size() > kLargestFile) {
         throw MidiError(path.string() + ": is larger than 16 MB: no MIDI file of a piece");
     }
