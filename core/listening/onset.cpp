@@ -20,6 +20,8 @@ constexpr double kTry = 0.002;           ///< the stretch it is then tried on [s
 constexpr double kBlock = 0.0005;        ///< over which energy is averaged [s]
 constexpr double kAttack = 0.003;        ///< from touch to the peak of the force, at most [s]
 constexpr double kDip = 0.0005;          ///< a rising force may pause for [s]
+constexpr double kClearly = 0.5;         ///< of the greatest force
+constexpr double kClearlyAbove = 6.0;    ///< times what was before it
 constexpr double kFractionOfPeak = 0.2;  ///< of the force, where a stroke counts as begun
 constexpr double kAboveBefore = 4.0;     ///< times what was before it, at least
 constexpr double kMasked = 1e-3;         ///< strength over that of a neighbour
@@ -139,8 +141,13 @@ class Listener {
         if (!(*peak > contrast * before)) {
             return std::nullopt;
         }
-        const double threshold = std::max(kFractionOfPeak * *peak, kAboveBefore * before);
-        const double rise = risen(force, peak - force.begin(), threshold);
+        // Where the mallet leaves, the force may have its sharpest edge: the first clear one
+        // counts.
+        const double clearly = std::max(kClearly * *peak, kClearlyAbove * before);
+        const auto touch =
+            std::find_if(force.begin(), peak, [&](double f) { return f >= clearly; });
+        const double threshold = std::max(kFractionOfPeak * *touch, kAboveBefore * before);
+        const double rise = risen(force, touch - force.begin(), threshold);
         return Onset{(static_cast<double>(from) + rise) / rate_, *peak * *peak};
     }
 

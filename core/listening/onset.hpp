@@ -25,7 +25,7 @@ namespace percussionist::listening {
 struct OnsetOptions {
     double rise = 6.0;           ///< of the unexplained energy, to look closer
     double contrast = 7.0;       ///< peak amplitude of the stroke's force over what was before it
-    double floor = 1e-6;         ///< strength over that of the strongest onset, at least
+    double floor = 1e-9;         ///< strength over that of the strongest onset, at least
     double min_interval = 0.02;  ///< between two onsets [s]
 };
 

@@ -113,7 +113,7 @@ void chase(Composer& c) {
 /// A roll out of nothing, seven strokes a beat, to a blow; then nothing again.
 void roll(Composer& c) {
     c.run(7, 3, 2, 14, 0.06, kPp);
-    c.run(8, 1, 4, 28, kPp, kFf);
+    c.run(8, 1, 4 - 1.0 / 7, 27, kPp, kFf);
     c.both_hands(9, 1, kFff);
     c.strike(9, 4, kPp);
     c.strike(9, 4.5, kPp);
