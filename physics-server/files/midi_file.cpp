@@ -225,6 +225,7 @@ class FileReader {
         }
     }
 
+    /// At one tick a part is made drums before its notes sound, in whichever order the tracks are.
     void find_percussion() {
         const auto earlier = [](const auto& a, const auto& b) { return a.tick < b.tick; };
         std::stable_sort(file_.notes.begin(), file_.notes.end(), earlier);

@@ -109,11 +109,12 @@ TEST_CASE("bars and beats follow the time signatures") {
 }
 
 TEST_CASE("a GS message makes a part drums from there on, until another takes it back") {
+    // At one tick, in whatever track, it comes before the notes.
     Track track;
-    track.note(0, 50, 64, 0).gs_drums(0, 1, true).note(10, 51, 64, 0);
+    track.note(0, 50, 64, 0).gs_drums(5, 1, true).note(10, 51, 64, 0);
     track.gs_drums(10, 1, false).note(10, 52, 64, 0);
     track.gs_drums(0, 0xF, true).note(10, 53, 64, 15).gs_drums(0, 0, false).note(10, 54, 64, 9);
-    track.exclusive(0, {0x41, 0x10, 0x42, 0x12, 0x40, 0x00, 0x7F, 0x00, 0x41, 0xF7});
+    track.exclusive(5, {0x41, 0x10, 0x42, 0x12, 0x40, 0x00, 0x7F, 0x00, 0x41, 0xF7});
     track.note(10, 55, 64, 9).note(0, 56, 64, 15);
     const MidiFile file = parse(test::midi_file(0, 96, {track.end()}));
     std::vector<int> drums;

@@ -28,8 +28,7 @@ TEST_CASE("real files are read without a warning, and no note of theirs is lost 
 }
 
 TEST_CASE("valid odd files are read, damaged ones say what is wrong with them") {
-    // What each of these files says; the rest say nothing. (MIDIBadFormat1 is sound: only the notes
-    // of its tracks end where the first track does.)
+    // What each of these files says; the rest say nothing. (MIDIBadFormat1 is sound.)
     const std::pair<const char*, const char*> says[] = {
         {"MIDIBadHeaderChunk", "byte 0: expected a header chunk 'MThd', found 'MT0d'"},
         {"MIDIBadHeaderFormat", "byte 8: expected format 0, 1 or 2, found 3"},
