@@ -180,6 +180,20 @@ void leave_out_weaker_than(double fraction, std::vector<Onset>& onsets) {
                   [&](const Onset& onset) { return onset.strength < fraction * strongest; });
 }
 
+std::optional<double> nearest_to(double time, double window, const Listener& listener,
+                                 const OnsetOptions& options) {
+    std::vector<Onset> found = listener.find(time - window, time + window, options);
+    leave_out_weaker_than(kMasked, found);
+    std::optional<double> nearest;
+    for (const Onset& onset : found) {
+        const double away = std::abs(onset.time - time);
+        if (away <= window && (!nearest || away < std::abs(*nearest - time))) {
+            nearest = onset.time;
+        }
+    }
+    return nearest;
+}
+
 }  // namespace
 
 std::vector<Onset> find_onsets(std::span<const double> signal, double rate,
@@ -192,18 +206,14 @@ std::vector<Onset> find_onsets(std::span<const double> signal, double rate,
 
 std::vector<std::optional<double>> onsets_near(std::span<const double> signal, double rate,
                                                std::span<const double> times, double window) {
-    constexpr OnsetOptions kSharp{.rise = 3.0, .contrast = 5.0, .min_interval = 0.005};
+    constexpr OnsetOptions kUsual;
+    constexpr OnsetOptions kSharp{.rise = 3.0, .contrast = 5.0};
     const Listener listener(signal, rate);
-    std::vector<std::optional<double>> nearest(times.size());
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        std::vector<Onset> found = listener.find(times[i] - window, times[i] + window, kSharp);
-        leave_out_weaker_than(kMasked, found);
-        double least = window;
-        for (const Onset& onset : found) {
-            if (std::abs(onset.time - times[i]) <= least) {
-                least = std::abs(onset.time - times[i]);
-                nearest[i] = onset.time;
-            }
+    std::vector<std::optional<double>> nearest;
+    for (const double time : times) {
+        nearest.push_back(nearest_to(time, window, listener, kUsual));
+        if (!nearest.back()) {
+            nearest.back() = nearest_to(time, window, listener, kSharp);
         }
     }
     return nearest;

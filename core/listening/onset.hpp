@@ -38,8 +38,9 @@ struct Onset {
 std::vector<Onset> find_onsets(std::span<const double> signal, double rate,
                                const OnsetOptions& options = {});
 
-/// For each of `times` [s] the onset nearest to it, at most `window` [s] away, or none. Listens
-/// more sharply than find_onsets; what is 30 dB below another onset in the window does not count.
+/// For each of `times` [s] the onset nearest to it, at most `window` [s] away, or none. Where
+/// there is none it listens more sharply than find_onsets does; what is 30 dB below another onset
+/// in the window does not count.
 std::vector<std::optional<double>> onsets_near(std::span<const double> signal, double rate,
                                                std::span<const double> times, double window);
 

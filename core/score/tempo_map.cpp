@@ -56,12 +56,9 @@ void TempoMap::begin_piece(const TickDivision& division, const TempoChange& chan
     Piece piece;
     piece.tick = static_cast<double>(change.tick);
     if (!pieces_.empty()) {
-        const Piece last = pieces_.back();
+        const Piece& last = pieces_.back();
         piece.seconds = last.seconds + (piece.tick - last.tick) * last.seconds_per_tick;
         piece.quarters = last.quarters + (piece.tick - last.tick) * last.quarters_per_tick;
-        if (piece.tick == last.tick) {
-            pieces_.pop_back();
-        }
     }
     if (division.ticks_per_second != 0.0) {
         piece.seconds_per_tick = 1.0 / division.ticks_per_second;
@@ -80,12 +77,9 @@ void TempoMap::begin_metre(const MetreChange& change) {
     Metre metre{quarters(static_cast<double>(change.tick)), 1, change.beats,
                 4.0 / change.beat_unit};
     if (!metres_.empty()) {
-        const Metre last = metres_.back();
+        const Metre& last = metres_.back();
         const double beats = (metre.quarter - last.quarter) / last.quarters_per_beat;
         metre.bar = as_bar(last.bar + std::ceil(snapped(beats / last.beats)));
-        if (metre.quarter == last.quarter) {
-            metres_.pop_back();
-        }
     }
     metres_.push_back(metre);
 }
