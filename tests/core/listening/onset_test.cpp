@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -58,6 +59,16 @@ TEST_CASE("a stroke 40 dB above or below the one 60 ms before is found in time")
     const auto after = onsets_near(drum(falling, 0.0005, 0.5), kRate, times_of(falling), 0.01);
     REQUIRE(after[1].has_value());
     CHECK(std::abs(*after[1] - 0.16) < 0.0005);
+}
+
+TEST_CASE("who knows when to listen hears more") {
+    const auto strokes = wandering(120, 12.0);
+    const auto signal = drum(strokes, 0.0055, 8.0);
+    const std::size_t blind = find_onsets(signal, kRate).size();
+    const auto near = onsets_near(signal, kRate, times_of(strokes), 0.01);
+    const auto heard = std::count_if(near.begin(), near.end(), [](auto& n) { return bool(n); });
+    CHECK(blind < strokes.size());
+    CHECK(heard == static_cast<std::ptrdiff_t>(strokes.size()));
 }
 
 TEST_CASE("where nothing is struck nothing is found") {
