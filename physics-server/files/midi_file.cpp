@@ -89,7 +89,7 @@ class FileReader {
     }
 
     void tracks() {
-        const UnexpectedByte none = reader_.expected("a track chunk 'MTrk'");
+        const ByteReader first_chunk = reader_;
         while (reader_.left() > 0) {
             if (reader_.comes("MTrk")) {
                 track();
@@ -98,7 +98,7 @@ class FileReader {
             }
         }
         if (file_.tracks == 0) {
-            throw none;
+            throw first_chunk.expected("a track chunk 'MTrk'");
         }
     }
 
