@@ -79,13 +79,14 @@ double MembraneMode::shape(double r, double theta) const {
            (sine ? std::sin(angle) : std::cos(angle));
 }
 
-std::vector<MembraneMode> membrane_modes(const Membrane& membrane, std::size_t count) {
+void check(const Membrane& membrane) {
     require_positive(membrane.radius, "radius");
     require_positive(membrane.tension, "tension");
     require_positive(membrane.surface_density, "surface density");
-    const double wave_speed = std::sqrt(membrane.tension / membrane.surface_density);
-    const double area = pi * membrane.radius * membrane.radius;
+}
 
+std::vector<MembraneMode> membrane_modes(const Membrane& membrane, std::size_t count) {
+    check(membrane);
     // For each m the next zero waits in the queue; j_m1 grows with m, so that a new m need only be
     // opened once the one before has given its first.
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> waiting;
@@ -104,16 +105,26 @@ std::vector<MembraneMode> membrane_modes(const Membrane& membrane, std::size_t c
         mode.diameters = c.m;
         mode.circles = c.n;
         mode.bessel_zero = c.zero;
-        mode.radius = membrane.radius;
-        mode.angular_frequency = c.zero * wave_speed / membrane.radius;
-        mode.modal_mass = membrane.surface_density * area * slope * slope * (c.m == 0 ? 1.0 : 0.5);
+        mode.mass_fraction = slope * slope * (c.m == 0 ? 1.0 : 0.5);
         modes.push_back(mode);
         if (c.m > 0 && modes.size() < count) {
             mode.sine = true;
             modes.push_back(mode);
         }
     }
+    retune(modes, membrane);
     return modes;
+}
+
+void retune(std::vector<MembraneMode>& modes, const Membrane& membrane) {
+    check(membrane);
+    const double wave_speed = std::sqrt(membrane.tension / membrane.surface_density);
+    const double mass = membrane.surface_density * pi * membrane.radius * membrane.radius;
+    for (auto& mode : modes) {
+        mode.radius = membrane.radius;
+        mode.angular_frequency = mode.bessel_zero * wave_speed / membrane.radius;
+        mode.modal_mass = mode.mass_fraction * mass;
+    }
 }
 
 }  // namespace percussionist::modal

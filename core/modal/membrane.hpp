@@ -17,10 +17,13 @@
 namespace percussionist::modal {
 
 struct Membrane {
-    double radius = 0.33;           ///< [m]
-    double tension = 3500.0;        ///< [N/m]
-    double surface_density = 0.262; ///< [kg/m^2]
+    double radius = 0.33;            ///< [m]
+    double tension = 3500.0;         ///< [N/m]
+    double surface_density = 0.262;  ///< [kg/m^2]
 };
+
+/// Throws std::invalid_argument unless radius, tension and density are finite and above 0.
+void check(const Membrane& membrane);
 
 struct MembraneMode {
     int diameters = 0;               ///< m, nodal diameters
@@ -29,6 +32,7 @@ struct MembraneMode {
     double bessel_zero = 0.0;        ///< j_mn
     double radius = 0.0;             ///< of the membrane [m]
     double angular_frequency = 0.0;  ///< [rad/s]
+    double mass_fraction = 0.0;      ///< modal mass over the membrane's mass
     double modal_mass = 0.0;         ///< [kg]
 
     /// The shape's value at a point of the head (r [m], theta [rad]); 0 at and beyond the rim.
@@ -39,7 +43,11 @@ struct MembraneMode {
 double bessel_zero(int m, int n);
 
 /// The `count` lowest modes, lowest first, both orientations of a pair beside each other.
-/// Throws std::invalid_argument unless radius, tension and density are finite and above 0.
+/// Throws as check().
 std::vector<MembraneMode> membrane_modes(const Membrane& membrane, std::size_t count);
+
+/// The same modes on another membrane: their order and shapes (over r / radius) are those of every
+/// membrane, so that no Bessel function is needed. Does not allocate; throws as membrane_modes().
+void retune(std::vector<MembraneMode>& modes, const Membrane& membrane);
 
 }  // namespace percussionist::modal

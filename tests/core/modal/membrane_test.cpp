@@ -29,8 +29,8 @@ TEST_CASE("modes come lowest first, in the ratios of theory") {
 
 TEST_CASE("as many modes lie below a frequency as the literature counts") {
     Membrane membrane;
-    const double scale = 100.0 * 2 * std::numbers::pi /
-                         membrane_modes(membrane, 1)[0].angular_frequency;
+    const double scale =
+        100.0 * 2 * std::numbers::pi / membrane_modes(membrane, 1)[0].angular_frequency;
     membrane.tension *= scale * scale;
     const auto modes = membrane_modes(membrane, 700);
     int below = 0;
@@ -53,7 +53,8 @@ TEST_CASE("the modal mass is the integral of density times the shape squared") {
                 integral += phi * phi * r;
             }
         }
-        integral *= membrane.surface_density * membrane.radius / rings * 2 * std::numbers::pi / spokes;
+        integral *=
+            membrane.surface_density * membrane.radius / rings * 2 * std::numbers::pi / spokes;
         CHECK(mode.modal_mass == doctest::Approx(integral).epsilon(1e-4));
     }
 }
