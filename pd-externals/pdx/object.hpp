@@ -1,0 +1,184 @@
+// The seam to Pure Data: an object is a class derived from Object, described by one table.
+//
+//     class Metronome : public pdx::Object {
+//       public:
+//         Metronome(pdx::Box& box, const pdx::Arguments& creation)
+//             : Object(box), clock_(*this, [this] { tick(); }), period_(creation.number(0)) {}
+//         void start(const pdx::Arguments&) { tick(); }
+//         void period(const pdx::Arguments& a) { period_ = a.number(0); }
+//       private:
+//         void tick() { send_bang(0); clock_.delay(period_); }
+//         pdx::Clock clock_;
+//         double period_;
+//     };
+//
+//     PDX_SETUP(setup_metro0x2dnome) {          // - is 0x2d, a trailing ~ is _tilde
+//         using namespace percussionist::pdx;
+//         add_class(describe<Metronome>("metro-nome", "a bang at regular times")
+//             .creation({number("period", "s").above(0).by_default(0.5)})
+//             .message("bang", {}, "start", &Metronome::start)
+//             .message("period", {number("period", "s").above(0)}, "between bangs",
+//             &Metronome::period) .outlet("a bang at each tick"));
+//     }
+//
+// Messages reach a handler only with arguments that fit the table; what a handler or the
+// constructor throws is printed, "metro-nome: period: expected a number above 0 [s], got -1", and
+// nothing else happens. float, list, symbol and bang are messages like any other. A message the
+// table does not name gets an error that lists those it does. A signal object overrides prepare()
+// and process().
+//
+// All functions here are called in Pd's one thread; process() alone must not allocate, lock or
+// print.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pdx/arguments.hpp"
+
+struct _symbol;
+struct _atom;
+struct _clock;
+
+namespace percussionist::pdx {
+
+struct Box;  ///< what Pd holds of an object
+
+/// One block of signals. An input and an output may be the same memory.
+struct Block {
+    std::span<const Sample* const> inputs;
+    std::span<Sample* const> outputs;
+    std::size_t size = 0;
+    double start = 0.0;        ///< logical time of the first sample [s], as Object::now()
+    double sample_rate = 0.0;  ///< [Hz]
+};
+
+class Object {
+  public:
+    explicit Object(Box& box) : box_(box) {}
+    virtual ~Object() = default;
+    Object(const Object&) = delete;
+    Object& operator=(const Object&) = delete;
+
+    /// Whenever Pd sorts its signals: may allocate.
+    virtual void prepare(double /*sample_rate*/, std::size_t /*block_size*/) {}
+    virtual void process(const Block&) noexcept {}
+
+    /// Into the Pd window, with the object's name in front; error() lets the user find the object.
+    void post(const std::string& text) const;
+    void error(const std::string& text) const;
+
+  protected:
+    /// Logical time [s]: exact within a block, the same for all that happens at once.
+    static double now();
+
+    void send_bang(std::size_t outlet) const;
+    void send(std::size_t outlet, double number) const;
+    void send(std::size_t outlet, std::span<const Atom> list) const;
+    void send(std::size_t outlet, const char* selector, std::span<const Atom> arguments) const;
+
+  private:
+    friend class Clock;
+    Box& box_;
+};
+
+/// Calls back at a logical time; destroyed, it does not.
+class Clock {
+  public:
+    Clock(const Object& owner, std::function<void()> callback);
+    ~Clock();
+    Clock(const Clock&) = delete;
+    Clock& operator=(const Clock&) = delete;
+
+    void delay(double seconds);  ///< from now; at once, but not within the call, if 0 or less
+    void at(double time);        ///< as Object::now() tells it [s]
+    void cancel();
+
+  private:
+    static void tick(Clock* clock);
+    const Object& owner_;
+    std::function<void()> callback_;
+    _clock* clock_;
+};
+
+struct Message {
+    std::string selector;
+    std::vector<Argument> arguments;
+    std::string description;
+    std::function<void(Object&, const Arguments&)> call;
+};
+
+struct Port {
+    bool signal = false;
+    std::string description;
+};
+
+/// The table: everything Pd, the user and the reference page know of an object.
+struct Description {
+    std::string name;
+    std::string summary;
+    std::vector<Argument> creation_arguments;
+    std::vector<Message> messages;
+    std::vector<Port> signal_inlets;  ///< the first also takes the messages
+    std::vector<Port> outlets;
+    std::function<std::unique_ptr<Object>(Box&, const Arguments&)> make;
+
+    /// Name, creation arguments, messages with units, inlets and outlets, a line each.
+    std::string reference() const;
+};
+
+/// Description, written as a sentence.
+template <class T>
+class Describe : public Description {
+  public:
+    Describe& creation(std::vector<Argument> arguments) {
+        creation_arguments = std::move(arguments);
+        return *this;
+    }
+    Describe& message(std::string selector, std::vector<Argument> arguments, std::string text,
+                      void (T::*handler)(const Arguments&)) {
+        messages.push_back({std::move(selector), std::move(arguments), std::move(text),
+                            [handler](Object& object, const Arguments& given) {
+                                (static_cast<T&>(object).*handler)(given);
+                            }});
+        return *this;
+    }
+    Describe& signal_inlet(std::string text) {
+        signal_inlets.push_back({true, std::move(text)});
+        return *this;
+    }
+    Describe& signal_outlet(std::string text) {
+        outlets.push_back({true, std::move(text)});
+        return *this;
+    }
+    Describe& outlet(std::string text) {
+        outlets.push_back({false, std::move(text)});
+        return *this;
+    }
+};
+
+template <class T>
+Describe<T> describe(std::string name, std::string summary) {
+    Describe<T> table;
+    table.name = std::move(name);
+    table.summary = std::move(summary);
+    table.make = [](Box& box, const Arguments& creation) -> std::unique_ptr<Object> {
+        return std::make_unique<T>(box, creation);
+    };
+    return table;
+}
+
+/// Makes the object known to Pd. At most once for each name.
+void add_class(Description description);
+
+/// What add_class() was given under a name, or null.
+const Description* find_class(std::string_view name);
+
+}  // namespace percussionist::pdx
+
+/// The function Pd calls when it loads the file: the only one the library shows.
+#define PDX_SETUP(name) extern "C" __attribute__((visibility("default"))) void name()
