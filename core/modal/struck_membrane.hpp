@@ -15,9 +15,9 @@
 // 0. A striker touches where z is below the head's displacement at its place. Beyond the rim the
 // head does not move: there a striker meets a rigid wall.
 //
-// The constructor, tune() and place() allocate or evaluate Bessel functions: 0.2 ms for 120 modes,
-// never throwing once constructed except for arguments out of range. All the noexcept functions may
-// be called in the audio thread. Not for two threads at a time.
+// The constructor and shapes() allocate. place() and tune() do not, unless they throw; they take
+// some 20 microseconds for 120 modes (tune() with another radius eight times that). All else is
+// noexcept and may be called in the audio thread. Not for two threads at a time.
 #pragma once
 
 #include <array>
@@ -28,12 +28,13 @@
 #include "core/modal/decay.hpp"
 #include "core/modal/mallet.hpp"
 #include "core/modal/membrane.hpp"
+#include "core/modal/mode_bank.hpp"
 
 namespace percussionist::modal {
 
 /// A mallet on its way. The caller sets all but `force`; step() moves it.
 struct Striker {
-    Mallet mallet;
+    Mallet mallet{};
     double position = 0.0;      ///< of the felt's surface, above the head at rest [m]
     double velocity = 0.0;      ///< upwards [m/s]
     double acceleration = 0.0;  ///< from all but the head, such as gravity and the hand [m/s^2]
@@ -52,7 +53,8 @@ class StruckMembrane {
     /// that nothing clicks. Throws std::invalid_argument and then changes nothing.
     void tune(const Membrane& membrane, const Decay& decay);
 
-    /// Where striker `i` (below kMaxStrikers) touches the head: r [m], theta [rad].
+    /// Where striker `i` (below kMaxStrikers) touches the head: r [m], theta [rad]. Also to be
+    /// called for one that had no part in the steps before.
     void place(std::size_t i, double r, double theta);
 
     /// One sample: strikers[i] acts at place i. Those beyond kMaxStrikers are left alone.
@@ -61,18 +63,22 @@ class StruckMembrane {
     /// The head's displacement at striker i's place [m], as of now.
     double displacement(std::size_t i) const noexcept { return places_[i].displacement; }
 
-    /// phi of every mode at a point: what reads a displacement. Allocates.
+    /// phi of every mode at a point, as bank() takes it. Allocates.
     std::vector<double> shapes(double r, double theta) const;
-    /// sum weights q: the head's displacement for the weights of shapes() [m].
-    double read(std::span<const double> weights) const noexcept;
 
-    /// Of the head: kinetic plus potential [J].
-    double energy() const noexcept;
+    /// The modes' motion: to read the head elsewhere, or to let it ring without strikers.
+    ModeBank& bank() { return bank_; }
+    const ModeBank& bank() const { return bank_; }
+
     /// Of head, felts and strikers, without the work of outer accelerations [J].
     double energy(std::span<const Striker> strikers) const noexcept;
 
     /// The head at rest, at once.
     void rest() noexcept;
+    /// Brings the head to where another is, mode by mode; the strikers' places stay.
+    void continue_from(const StruckMembrane& other) noexcept;
+    /// Strikers i and j change numbers.
+    void exchange(std::size_t i, std::size_t j) noexcept;
 
     const std::vector<MembraneMode>& modes() const { return modes_; }
     double sample_rate() const { return sample_rate_; }
@@ -88,23 +94,15 @@ class StruckMembrane {
         std::vector<double> phi;
     };
 
-    void set_coefficients(const Decay& decay);
+    void set_modes(const Decay& decay);
     void evaluate(Place& place);
     void set_compliances(std::size_t i);
-    void swing_freely(std::size_t places) noexcept;
     bool find_forces(std::span<Striker> strikers) noexcept;
-    void push(std::span<const Striker> strikers) noexcept;
 
     double sample_rate_;
     double period_;
     std::vector<MembraneMode> modes_;
-
-    // Each mode's state is q and y = (q' + s q) / wd, wd = sqrt(w^2 - s^2): its free motion turns
-    // (q, y) by wd h while shrinking it by exp(-s h). A force f shifts it by f phi (to_q, to_y).
-    std::vector<double> q_, y_;
-    std::vector<double> turn_cos_, turn_sin_, to_q_, to_y_;
-    std::vector<double> loss_, damped_frequency_;  // s [1/s], wd [rad/s]
-
+    ModeBank bank_;
     std::array<Place, kMaxStrikers> places_;
     // Displacement at place i that a force of 1 N at place j makes within one sample [m/N].
     std::array<std::array<double, kMaxStrikers>, kMaxStrikers> compliance_{};

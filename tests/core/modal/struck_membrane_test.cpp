@@ -49,7 +49,7 @@ TEST_CASE("a lossless drum and its mallet keep their energy to 1e-10 over many t
             worst = std::max(worst, std::abs(head.energy(striker) / before - 1));
         }
         CHECK(worst < 1e-10);
-        CHECK(head.energy() > 1e-3 * before);
+        CHECK(head.bank().energy() > 1e-3 * before);
     }
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("beyond the rim a striker meets a rigid wall") {
         head.step(striker);
     } while (striker[0].position < 0.0);
     CHECK(striker[0].velocity == doctest::Approx(0.200).epsilon(0.005));
-    CHECK(head.energy() == 0.0);
+    CHECK(head.bank().energy() == 0.0);
 }
 
 TEST_CASE("modes ring at the frequencies of theory and die in the time set") {
@@ -112,7 +112,7 @@ TEST_CASE("modes ring at the frequencies of theory and die in the time set") {
         head.rest();
         head.place(0, 0.15, 0.2);
         knock(head);
-        std::vector<double> only(60, 0.0);
+        std::vector<double> only(head.bank().padded(), 0.0);
         only[k] = 1.0;
         const double w = head.modes()[k].angular_frequency;
         const double s = loss(decay, head.modes()[0].angular_frequency, w);
@@ -123,7 +123,7 @@ TEST_CASE("modes ring at the frequencies of theory and die in the time set") {
         for (int part = 0; part < 2; ++part) {
             for (int i = 0; i < window; ++i) {
                 const double t = (part * window + i) / kRate;
-                const double q = head.read(only) * std::exp(s * t);
+                const double q = head.bank().displacement(only) * std::exp(s * t);
                 const double hann = 1 - std::cos(2 * pi * i / window);
                 re[part] += hann * q * std::cos(w * t);
                 im[part] += hann * q * std::sin(w * t);
@@ -152,7 +152,7 @@ TEST_CASE("what A feels of B is what B feels of A") {
         push[0].position = -0.01;
         for (int i = 0; i < 200; ++i) {
             head.step(std::span(push, i == 0 ? 1 : 0));
-            heard.push_back(head.read(weights) / push[0].force);
+            heard.push_back(head.bank().displacement(weights) / push[0].force);
         }
         return heard;
     };
@@ -168,12 +168,12 @@ TEST_CASE("a mode struck on its node stays silent, and is not heard there") {
     head.place(0, 0.0, 0.0);  // the middle: a node of every mode with diameters
     knock(head);
     for (std::size_t k = 0; k < 30; ++k) {
-        std::vector<double> only(30, 0.0);
+        std::vector<double> only(head.bank().padded(), 0.0);
         only[k] = 1.0;
         if (head.modes()[k].diameters > 0) {
-            CHECK(head.read(only) == 0.0);
+            CHECK(head.bank().displacement(only) == 0.0);
         } else {
-            CHECK(head.read(only) != 0.0);
+            CHECK(head.bank().displacement(only) != 0.0);
         }
     }
     const auto at_rim = head.shapes(0.33, 1.0);
@@ -197,9 +197,9 @@ TEST_CASE("a new tuning while it swings leaves displacement and velocity where t
     StruckMembrane head({}, {}, 60, kRate);
     knock(head);
     const auto weights = head.shapes(0.1, 1.0);
-    const double before = head.read(weights);
+    const double before = head.bank().displacement(weights);
     head.tune({.tension = 5000}, {});
-    CHECK(head.read(weights) == before);
+    CHECK(head.bank().displacement(weights) == before);
     CHECK(head.modes()[0].angular_frequency ==
           doctest::Approx(membrane_modes({.tension = 5000}, 1)[0].angular_frequency));
     StruckMembrane fresh({.radius = 0.2, .tension = 900}, {}, 60, kRate);
@@ -221,7 +221,7 @@ TEST_CASE("strikers and places out of range do no harm") {
     for (int i = 0; i < 1000; ++i) {
         head.step(many);
     }
-    CHECK(std::isfinite(head.energy()));
+    CHECK(std::isfinite(head.bank().energy()));
     CHECK_THROWS_AS(StruckMembrane({}, {}, 20, 0.0), std::invalid_argument);
     CHECK_THROWS_AS(StruckMembrane({}, {.t60_low = 0.1, .t60_high = 1}, 20, kRate),
                     std::invalid_argument);
