@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <exception>
 #include <map>
+#include <sstream>
 #include <type_traits>
 
 namespace percussionist::pdx {
@@ -100,6 +101,13 @@ void receive(Box* box, t_symbol* selector, int count, t_atom* atoms) noexcept {
     const auto message =
         std::find_if(table.messages.begin(), table.messages.end(),
                      [&](const Message& m) { return m.selector == selector->s_name; });
+    if (message == table.messages.end() && selector == gensym("reference")) {
+        std::istringstream lines(table.reference());
+        for (std::string line; std::getline(lines, line);) {
+            ::post("%s", line.c_str());
+        }
+        return;
+    }
     if (message == table.messages.end()) {
         print_error(
             box, table.name + ": no message '" + selector->s_name + "'; " + what_it_hears(table));

@@ -24,8 +24,8 @@
 // Messages reach a handler only with arguments that fit the table; what a handler or the
 // constructor throws is printed, "metro-nome: period: expected a number above 0 [s], got -1", and
 // nothing else happens. float, list, symbol and bang are messages like any other. A message the
-// table does not name gets an error that lists those it does. A signal object overrides prepare()
-// and process().
+// table does not name gets an error that lists those it does; "reference" prints the table. A
+// signal object overrides prepare() and process().
 //
 // All functions here are called in Pd's one thread; process() alone must not allocate, lock or
 // print.
