@@ -17,8 +17,8 @@
 //         add_class(describe<Metronome>("metro-nome", "a bang at regular times")
 //             .creation({number("period", "s").above(0).by_default(0.5)})
 //             .message("bang", {}, "start", &Metronome::start)
-//             .message("period", {number("period", "s").above(0)}, "between bangs",
-//             &Metronome::period) .outlet("a bang at each tick"));
+//             .message("period", {number("period", "s").above(0)}, "", &Metronome::period)
+//             .outlet("a bang at each tick"));
 //     }
 //
 // Messages reach a handler only with arguments that fit the table; what a handler or the

@@ -1,0 +1,17 @@
+#!/bin/sh
+# run_pd.sh EXTERNALS PATCH [pd's further arguments]: opens a patch in a real Pd, without sound card
+# or window and faster than real time; the patch has to quit by itself. Fails on whatever Pd complains
+# of, for Pd's own exit code does not tell. PD_PRELOAD: libraries to preload.
+externals=$1
+patch=$2
+shift 2
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+LD_PRELOAD=$PD_PRELOAD timeout 60 pd -noprefs -nrt -nogui -noaudio -batch -stderr -r 48000 \
+    -path "$externals" "$@" -open "$patch" >"$log" 2>&1
+code=$?
+cat "$log"
+if grep -qE "couldn't create|error:|can't|no method|expected" "$log"; then
+    exit 1
+fi
+exit $code
