@@ -83,9 +83,12 @@ void watch_system_calls() {
 }
 
 __attribute__((destructor)) void report() {
+    if (sections == 0) {
+        return;  // another process on the way to Pd
+    }
     std::fprintf(stderr, "rtcheck: %ld sections, system calls %swatched, %ld violations\n",
                  sections, dispatching ? "" : "not ", violations);
-    if (violations > 0 || sections == 0) {
+    if (violations > 0) {
         std::fflush(stderr);
         _exit(86);
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include "pdx/object.hpp"
 
@@ -19,13 +20,17 @@ class RealtimeMark : public Object {
         : Object(box),
           what_(creation.integer(0)),
           enter_(reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "realtime_enter"))),
-          leave_(reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "realtime_leave"))) {}
+          leave_(reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "realtime_leave"))) {
+        if (!enter_ || !leave_) {
+            throw std::runtime_error("rtcheck's guard is not preloaded");
+        }
+    }
 
     void process(const Block& block) noexcept override {
         std::copy_n(block.inputs[0], block.size, block.outputs[0]);
-        if (what_ == 0 && leave_) {
+        if (what_ == 0) {
             leave_();
-        } else if (what_ == 1 && enter_) {
+        } else if (what_ == 1) {
             enter_();
         } else if (what_ == 2) {
             memory_ = std::make_unique<int>(2);
