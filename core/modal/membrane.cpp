@@ -71,12 +71,25 @@ double bessel_zero(int m, int n) {
 }
 
 double MembraneMode::shape(double r, double theta) const {
-    if (r >= radius) {
-        return 0.0;
+    double value = 0.0;
+    evaluate_shapes({this, 1}, r, theta, {&value, 1});
+    return value;
+}
+
+void evaluate_shapes(std::span<const MembraneMode> modes, double r, double theta,
+                     std::span<double> values) {
+    double along_radius = 0.0;
+    for (std::size_t k = 0; k < modes.size(); ++k) {
+        const MembraneMode& mode = modes[k];
+        const bool second = k > 0 && mode.bessel_zero == modes[k - 1].bessel_zero;
+        if (!second) {
+            along_radius = r < mode.radius
+                               ? bessel_j(mode.diameters, mode.bessel_zero * r / mode.radius)
+                               : 0.0;
+        }
+        const double angle = mode.diameters * theta;
+        values[k] = along_radius * (mode.sine ? std::sin(angle) : std::cos(angle));
     }
-    const double angle = diameters * theta;
-    return bessel_j(diameters, bessel_zero * r / radius) *
-           (sine ? std::sin(angle) : std::cos(angle));
 }
 
 void check(const Membrane& membrane) {

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace percussionist::modal {
@@ -45,6 +46,11 @@ double bessel_zero(int m, int n);
 /// The `count` lowest modes, lowest first, both orientations of a pair beside each other.
 /// Throws as check().
 std::vector<MembraneMode> membrane_modes(const Membrane& membrane, std::size_t count);
+
+/// Every mode's shape at one point, in their order, the Bessel function of a pair taken once.
+/// `values` has room for them.
+void evaluate_shapes(std::span<const MembraneMode> modes, double r, double theta,
+                     std::span<double> values);
 
 /// The same modes on another membrane: their order and shapes (over r / radius) are those of every
 /// membrane, so that no Bessel function is needed. Does not allocate; throws as membrane_modes().

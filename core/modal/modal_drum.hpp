@@ -36,8 +36,8 @@ struct Stroke {
 void check(const Stroke& stroke);
 
 struct DrumSettings {
-    Membrane membrane;
-    Decay decay;
+    Membrane membrane{};
+    Decay decay{};
     std::size_t modes = 240;    ///< 1 to kMaxModes
     double pickup_r = 0.2;      ///< [m]
     double pickup_theta = 2.0;  ///< [rad]

@@ -42,17 +42,24 @@ struct Turn {
     std::size_t size;
 };
 
+/// Sums in the order of weighted_sum().
 PERCUSSIONIST_CLONES
-void turn_all(const Turn& bank) {
-    for (std::size_t k = 0; k < bank.size; k += kLanes) {
-        Lanes& q = lanes(bank.q + k);
-        Lanes& y = lanes(bank.y + k);
-        const Lanes c = lanes(bank.c + k);
-        const Lanes s = lanes(bank.s + k);
-        const Lanes turned = c * q + s * y;
-        y = c * y - s * q;
-        q = turned;
+double turn_all(const Turn& bank, const double* weights) {
+    Lanes even{}, odd{};
+    for (std::size_t k = 0; k < bank.size; k += 2 * kLanes) {
+        const Lanes q0 = lanes(bank.q + k), q1 = lanes(bank.q + k + kLanes);
+        const Lanes y0 = lanes(bank.y + k), y1 = lanes(bank.y + k + kLanes);
+        const Lanes c0 = lanes(bank.c + k), c1 = lanes(bank.c + k + kLanes);
+        const Lanes s0 = lanes(bank.s + k), s1 = lanes(bank.s + k + kLanes);
+        const Lanes t0 = c0 * q0 + s0 * y0, t1 = c1 * q1 + s1 * y1;
+        lanes(bank.q + k) = t0;
+        lanes(bank.q + k + kLanes) = t1;
+        lanes(bank.y + k) = c0 * y0 - s0 * q0;
+        lanes(bank.y + k + kLanes) = c1 * y1 - s1 * q1;
+        even += lanes(weights + k) * t0;
+        odd += lanes(weights + k + kLanes) * t1;
     }
+    return sum_of(even + odd);
 }
 
 PERCUSSIONIST_CLONES
@@ -161,8 +168,8 @@ void ModeBank::continue_from(const ModeBank& other) noexcept {
     }
 }
 
-void ModeBank::swing() noexcept {
-    turn_all({q_.data(), y_.data(), cos_.data(), sin_.data(), q_.size()});
+double ModeBank::swing(std::span<const double> phi) noexcept {
+    return turn_all({q_.data(), y_.data(), cos_.data(), sin_.data(), q_.size()}, phi.data());
 }
 
 void ModeBank::push(double force, std::span<const double> phi) noexcept {

@@ -40,8 +40,8 @@ class ModeBank {
     /// Takes over the displacements and velocities of another bank, as far as both have modes.
     void continue_from(const ModeBank& other) noexcept;
 
-    /// One sample without a force.
-    void swing() noexcept;
+    /// One sample without a force; answers the displacement() then.
+    double swing(std::span<const double> phi) noexcept;
     /// What a constant force during the sample that swing() has made adds to it.
     void push(double force, std::span<const double> phi) noexcept;
     /// sum phi q that a force of 1 N shared out by `other` makes in one sample [m/N].

@@ -77,9 +77,7 @@ void StruckMembrane::place(std::size_t i, double r, double theta) {
 }
 
 void StruckMembrane::evaluate(Place& place) {
-    for (std::size_t k = 0; k < modes_.size(); ++k) {
-        place.phi[k] = modes_[k].shape(place.r, place.theta);
-    }
+    evaluate_shapes(modes_, place.r, place.theta, place.phi);
     place.displacement = bank_.displacement(place.phi);
 }
 
@@ -91,8 +89,8 @@ void StruckMembrane::set_compliances(std::size_t i) {
 
 void StruckMembrane::step(std::span<Striker> strikers) noexcept {
     const auto acting = strikers.first(std::min(strikers.size(), kMaxStrikers));
-    bank_.swing();
-    for (std::size_t i = 0; i < acting.size(); ++i) {
+    places_[0].free_displacement = bank_.swing(places_[0].phi);
+    for (std::size_t i = 1; i < acting.size(); ++i) {
         places_[i].free_displacement = bank_.displacement(places_[i].phi);
     }
     const bool touched = find_forces(acting);
@@ -148,9 +146,7 @@ bool StruckMembrane::find_forces(std::span<Striker> strikers) noexcept {
 
 std::vector<double> StruckMembrane::shapes(double r, double theta) const {
     std::vector<double> values(bank_.padded(), 0.0);
-    for (std::size_t k = 0; k < modes_.size(); ++k) {
-        values[k] = modes_[k].shape(r, theta);
-    }
+    evaluate_shapes(modes_, r, theta, values);
     return values;
 }
 

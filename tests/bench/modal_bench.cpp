@@ -1,0 +1,131 @@
+// What the drum costs: nanoseconds a mode a sample (counter "ns/mode/sample"), a contact, a stroke.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <vector>
+
+#include "core/modal/modal_drum.hpp"
+
+namespace {
+
+using namespace percussionist::modal;
+
+constexpr double kRate = 48000;
+
+void count_modes(benchmark::State& state, double samples) {
+    const double updates = static_cast<double>(state.range(0)) * samples;
+    // Inverted, a rate of 1e9 updates a second is a nanosecond each.
+    state.counters["ns/mode/sample"] =
+        benchmark::Counter(static_cast<double>(state.iterations()) * updates / 1e9,
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+StruckMembrane pushed(std::size_t modes) {
+    StruckMembrane head({}, {.t60_low = 1000, .t60_high = 1000}, modes, kRate);
+    head.place(0, 0.1, 0.0);
+    std::array<Striker, 1> striker{{{.velocity = -2.0}}};
+    for (int i = 0; i < 100; ++i) {
+        head.step(striker);
+    }
+    return head;
+}
+
+/// The head rings by itself, listened to at one point.
+void ring(benchmark::State& state) {
+    auto head = pushed(static_cast<std::size_t>(state.range(0)));
+    const auto shapes = head.shapes(0.2, 2.0);
+    ModeBank::VelocityWeights weights{shapes, shapes};
+    head.bank().set_weights(shapes, weights);
+    std::array<double, ModeBank::kMostAtOnce> out{};
+    for (auto _ : state) {
+        head.bank().ring(weights, out);
+        benchmark::DoNotOptimize(out);
+    }
+    count_modes(state, static_cast<double>(out.size()));
+}
+
+/// A mallet lies on the head and is pressed down: contact at each sample.
+void contact(benchmark::State& state) {
+    auto head = pushed(static_cast<std::size_t>(state.range(0)));
+    head.place(0, 0.1, 0.0);
+    std::array<Striker, 1> striker{{{.position = head.displacement(0), .acceleration = -1000.0}}};
+    long touching = 0;
+    for (auto _ : state) {
+        head.step(striker);
+        touching += striker[0].force > 0.0;
+    }
+    count_modes(state, 1.0);
+    state.counters["touching"] =
+        static_cast<double>(touching) / static_cast<double>(state.iterations());
+}
+
+/// The equation of one contact alone.
+void contact_equation(benchmark::State& state) {
+    const Mallet mallet;
+    double d = 0.0, rate = 2.0, force = 0.0;
+    for (auto _ : state) {
+        force = contact_force(mallet, {d, rate / kRate, 1e-8, 1 / kRate}, force);
+        rate -= force / mallet.mass / kRate;
+        d += rate / kRate;
+        if (d < 0.0) {
+            d = 0.0;
+            rate = 2.0;
+        }
+        benchmark::DoNotOptimize(force);
+    }
+}
+
+/// The whole instrument in blocks of 64, ten strokes a second; "load" is the part of one core.
+void drum(benchmark::State& state) {
+    ModalDrum drum({.modes = static_cast<std::size_t>(state.range(0))}, kRate);
+    std::array<float, 64> block{};
+    for (auto _ : state) {
+        drum.strike(100, {});
+        for (int i = 0; i < 75; ++i) {
+            drum.process(std::span(block));
+        }
+        benchmark::DoNotOptimize(block);
+    }
+    state.counters["load"] =
+        benchmark::Counter(static_cast<double>(state.iterations()) * 75 * 64 / kRate,
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void silent_drum(benchmark::State& state) {
+    ModalDrum drum({}, kRate);
+    std::array<float, 64> block{};
+    for (auto _ : state) {
+        drum.process(std::span(block));
+        benchmark::DoNotOptimize(block);
+    }
+}
+
+/// A new striking place: the shapes of all modes there.
+void place(benchmark::State& state) {
+    auto head = pushed(static_cast<std::size_t>(state.range(0)));
+    double r = 0.0;
+    for (auto _ : state) {
+        head.place(0, r, 1.0);
+        r = r > 0.3 ? 0.0 : r + 0.001;
+    }
+}
+
+void tune(benchmark::State& state) {
+    auto head = pushed(static_cast<std::size_t>(state.range(0)));
+    double tension = 3000.0;
+    for (auto _ : state) {
+        head.tune({.tension = tension += 0.001}, {});
+    }
+}
+
+BENCHMARK(ring)->Arg(16)->Arg(120)->Arg(240)->Arg(1024);
+BENCHMARK(contact)->Arg(16)->Arg(120)->Arg(240)->Arg(1024);
+BENCHMARK(contact_equation);
+BENCHMARK(drum)->Arg(120)->Arg(240)->Arg(1024);
+BENCHMARK(silent_drum);
+BENCHMARK(place)->Arg(120)->Arg(240)->Arg(1024);
+BENCHMARK(tune)->Arg(120)->Arg(240)->Arg(1024);
+
+}  // namespace
+
+BENCHMARK_MAIN();
