@@ -1,7 +1,10 @@
 // What the drum costs: nanoseconds a mode a sample (counter "ns/mode/sample"), a contact, a stroke.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/modal/modal_drum.hpp"
@@ -57,6 +60,25 @@ void contact(benchmark::State& state) {
     count_modes(state, 1.0);
     state.counters["touching"] =
         static_cast<double>(touching) / static_cast<double>(state.iterations());
+}
+
+/// A second of a lossless drum, its mallet coming back again and again; range(0): log10 of K.
+void lossless_second(benchmark::State& state) {
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    double worst = 0.0;
+    for (auto _ : state) {
+        StruckMembrane head({}, {.t60_low = kNever, .t60_high = kNever}, 240, kRate);
+        head.place(0, 0.12, 0.3);
+        std::array<Striker, 1> striker{{{.velocity = -3.0, .acceleration = 0.0}}};
+        striker[0].mallet.stiffness = std::pow(10.0, static_cast<double>(state.range(0)));
+        striker[0].mallet.dissipation = 0.0;
+        const double before = head.energy(striker);
+        for (int i = 0; i < 48000; ++i) {
+            head.step(striker);
+            worst = std::max(worst, std::abs(head.energy(striker) / before - 1));
+        }
+    }
+    state.counters["energy_error"] = worst;
 }
 
 /// The equation of one contact alone.
@@ -121,6 +143,7 @@ void tune(benchmark::State& state) {
 BENCHMARK(ring)->Arg(16)->Arg(120)->Arg(240)->Arg(1024);
 BENCHMARK(contact)->Arg(16)->Arg(120)->Arg(240)->Arg(1024);
 BENCHMARK(contact_equation);
+BENCHMARK(lossless_second)->DenseRange(5, 11, 2)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(drum)->Arg(120)->Arg(240)->Arg(1024);
 BENCHMARK(silent_drum);
 BENCHMARK(place)->Arg(120)->Arg(240)->Arg(1024);
