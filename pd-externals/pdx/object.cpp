@@ -82,7 +82,10 @@ void guarded(const Box* box, const std::string& place, Action action) noexcept {
     try {
         action();
     } catch (const std::exception& e) {
-        print_error(box, where + ": " + e.what());
+        // What the core throws often names the same thing first.
+        const std::string_view what = e.what();
+        const bool named = !place.empty() && what.starts_with(place + ": ");
+        print_error(box, (named ? box->known->table.name : where) + ": " + e.what());
     } catch (...) {
         print_error(box, where + ": failed for an unknown reason");
     }

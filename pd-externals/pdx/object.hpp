@@ -40,9 +40,7 @@
 
 #include "pdx/arguments.hpp"
 
-struct _symbol;
-struct _atom;
-struct _clock;
+struct _clock;  // NOLINT(bugprone-reserved-identifier): Pd's own name
 
 namespace percussionist::pdx {
 
