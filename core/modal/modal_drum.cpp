@@ -195,8 +195,8 @@ void ModalDrum::set_modes(std::size_t count) {
     head_ = std::move(other);
     active_ = 0;
     settings_.modes = count;
-    settle();
     set_pickup(settings_.pickup_r, settings_.pickup_theta);
+    settle();
 }
 
 void ModalDrum::set_pickup(double r, double theta) {

@@ -8,7 +8,7 @@ patch=$2
 shift 2
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-LD_PRELOAD=$PD_PRELOAD timeout 60 pd -noprefs -nrt -nogui -noaudio -batch -stderr -r 48000 \
+timeout 60 env LD_PRELOAD="$PD_PRELOAD" ASAN_OPTIONS=detect_leaks=0 pd -noprefs -nrt -nogui -noaudio -batch -stderr -r 48000 \
     -path "$externals" "$@" -open "$patch" >"$log" 2>&1
 code=$?
 cat "$log"

@@ -140,6 +140,12 @@ TEST_CASE("a drum tuned while it sounds neither clicks nor dies") {
     CHECK(std::abs(sound[0]) > 0.0);
     drum.tune({.radius = 0.2}, {});
     drum.set_modes(64);
+    drum.process(std::span(sound));
+    drum.set_modes(1000);
+    drum.process(std::span(sound));
+    drum.set_modes(1);
+    drum.process(std::span(sound));
+    drum.set_modes(500);
     drum.set_pickup(0.05, 1.0);
     drum.process(std::span(sound));
     CHECK(std::all_of(sound.begin(), sound.end(), [](double x) { return std::isfinite(x); }));
