@@ -26,8 +26,8 @@ struct Slope {
     double derivative;
 };
 
-/// (V(d + y) - V(d)) / y and its derivative by y.
-Slope mean_force(const Mallet& mallet, double d, double y) noexcept {
+/// (V(d + y) - V(d)) / y and its derivative by y, V(d) being `potential`.
+Slope mean_force(const Mallet& mallet, double d, double potential, double y) noexcept {
     const double a = mallet.exponent;
     const double end = d + y;
     const double middle = d + 0.5 * y;
@@ -45,18 +45,19 @@ Slope mean_force(const Mallet& mallet, double d, double y) noexcept {
     }
     const double end_force = end > 0.0 ? mallet.stiffness * std::pow(end, a) : 0.0;
     const double end_potential = end > 0.0 ? end_force * end / (a + 1) : 0.0;
-    const double value = (end_potential - contact_potential(mallet, d)) / y;
+    const double value = (end_potential - potential) / y;
     return {value, (end_force - value) / y};
 }
 
 /// The whole law: discrete gradient times damping.
-Slope force_law(const Mallet& mallet, const ContactStep& step, double y) noexcept {
+Slope force_law(const Mallet& mallet, const ContactStep& step, double potential,
+                double y) noexcept {
     const double rate = mallet.dissipation / step.duration;
     const double damping = 1 + rate * y;
     if (!(damping > 0.0)) {
         return {0.0, 0.0};
     }
-    const Slope elastic = mean_force(mallet, step.compression, y);
+    const Slope elastic = mean_force(mallet, step.compression, potential, y);
     return {elastic.value * damping, elastic.derivative * damping + elastic.value * rate};
 }
 
@@ -91,13 +92,14 @@ double contact_force(const Mallet& mallet, const ContactStep& step, double guess
     }
     constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
     const double tolerance = kEpsilon * (std::abs(d) + std::abs(free));
+    const double potential = contact_potential(mallet, d);
     double y = std::min(free, free - step.compliance * guess);
     double force = 0.0;
     for (int i = 0; i < kMostIterations; ++i) {
         if (y == 0.0) {
             y = 0.5 * tolerance;  // the quotient's one gap
         }
-        const Slope law = force_law(mallet, step, y);
+        const Slope law = force_law(mallet, step, potential, y);
         force = law.value;
         const double next = std::min(free, y - (y - free + step.compliance * law.value) /
                                                    (1 + step.compliance * law.derivative));
