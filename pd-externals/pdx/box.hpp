@@ -1,0 +1,62 @@
+// What Pd holds of an object, and how the seam talks to Pd about it. Only for the files of pdx that
+// include m_pd.h.
+#pragma once
+
+#include <m_pd.h>
+
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "pdx/object.hpp"
+
+namespace percussionist::pdx {
+
+constexpr std::size_t kMaxSignals = 16;
+
+/// A description, and what Pd made of it.
+struct Known {
+    Description table;
+    t_class* pd_class = nullptr;
+};
+
+/// Allocated by Pd, which sets the header and fills the rest with zeros: no constructor may run.
+struct Box {
+    t_object header;
+    t_float unconnected_inlet;
+    const Known* known;
+    Object* object;
+    t_outlet** outlets;
+    const Sample* inputs[kMaxSignals];
+    Sample* outputs[kMaxSignals];
+    std::size_t output_count;
+    double sample_rate;
+    double tick_time;   ///< logical time at the last block [s]
+    double next_start;  ///< of the next block within that tick [s]
+};
+
+inline double logical_seconds() {
+    return clock_gettimesince(0) / 1000.0;
+}
+
+inline void print_error(const void* box, const std::string& text) {
+    pd_error(box, "%s", text.c_str());
+}
+
+/// Runs what must not throw into Pd.
+template <class Action>
+void guarded(const Box* box, const std::string& place, Action action) noexcept {
+    const std::string where = box->known->table.name + (place.empty() ? "" : ": " + place);
+    try {
+        action();
+    } catch (const std::exception& e) {
+        // What the core throws often names the same thing first.
+        const std::string_view what = e.what();
+        const bool named = !place.empty() && what.starts_with(place + ": ");
+        print_error(box, (named ? box->known->table.name : where) + ": " + e.what());
+    } catch (...) {
+        print_error(box, where + ": failed for an unknown reason");
+    }
+}
+
+}  // namespace percussionist::pdx
