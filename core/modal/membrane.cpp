@@ -25,19 +25,22 @@ double bessel_j_derivative(int m, double x) {
 double next_zero(int m, double from) {
     constexpr double kStep = 0.5;
     double low = from;
-    double high = low + kStep;
-    while (std::signbit(bessel_j(m, low)) == std::signbit(bessel_j(m, high))) {
-        low = high;
-        high += kStep;
+    const bool below = std::signbit(bessel_j(m, low));
+    while (std::signbit(bessel_j(m, low + kStep)) == below) {
+        low += kStep;
     }
-    for (int i = 0; i < 20; ++i) {
+    double high = low + kStep;
+    for (int i = 0; i < 4; ++i) {
         const double middle = 0.5 * (low + high);
-        const bool same = std::signbit(bessel_j(m, middle)) == std::signbit(bessel_j(m, low));
-        (same ? low : high) = middle;
+        (std::signbit(bessel_j(m, middle)) == below ? low : high) = middle;
     }
     double x = 0.5 * (low + high);
-    for (int i = 0; i < 4; ++i) {
-        x -= bessel_j(m, x) / bessel_j_derivative(m, x);
+    for (int i = 0; i < 10; ++i) {
+        const double change = bessel_j(m, x) / bessel_j_derivative(m, x);
+        x -= change;
+        if (std::abs(change) < 1e-9 * x) {
+            break;  // its square is below rounding
+        }
     }
     return x;
 }

@@ -140,6 +140,13 @@ void tune(benchmark::State& state) {
     }
 }
 
+void set_modes(benchmark::State& state) {
+    ModalDrum drum({}, kRate);
+    for (auto _ : state) {
+        drum.set_modes(static_cast<std::size_t>(state.range(0)));
+    }
+}
+
 BENCHMARK(ring)->Arg(16)->Arg(120)->Arg(240)->Arg(1024);
 BENCHMARK(contact)->Arg(16)->Arg(120)->Arg(240)->Arg(1024);
 BENCHMARK(contact_equation);
@@ -147,6 +154,7 @@ BENCHMARK(lossless_second)->DenseRange(5, 11, 2)->Iterations(1)->Unit(benchmark:
 BENCHMARK(drum)->Arg(120)->Arg(240)->Arg(1024);
 BENCHMARK(silent_drum);
 BENCHMARK(place)->Arg(120)->Arg(240)->Arg(1024);
+BENCHMARK(set_modes)->Arg(240)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(tune)->Arg(120)->Arg(240)->Arg(1024);
 
 }  // namespace

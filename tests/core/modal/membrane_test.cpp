@@ -15,6 +15,17 @@ TEST_CASE("the zeros of the Bessel functions are the tabulated ones") {
     CHECK(bessel_zero(5, 1) == doctest::Approx(8.771483815959954).epsilon(1e-14));
 }
 
+TEST_CASE("every zero is one, and none is left out: they interlace with those of the next order") {
+    for (int m = 0; m < 40; ++m) {
+        for (int n = 1; n < 15; ++n) {
+            const double zero = bessel_zero(m, n);
+            CHECK(std::abs(std::cyl_bessel_j(m, zero)) < 1e-13);
+            CHECK(zero < bessel_zero(m + 1, n));
+            CHECK(bessel_zero(m + 1, n) < bessel_zero(m, n + 1));
+        }
+    }
+}
+
 TEST_CASE("modes come lowest first, in the ratios of theory") {
     const auto modes = membrane_modes({}, 200);
     const double ratios[] = {1.0, 1.5933, 1.5933, 2.1355, 2.1355, 2.2954, 2.6531, 2.6531, 2.9173};

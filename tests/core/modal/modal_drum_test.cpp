@@ -103,6 +103,26 @@ TEST_CASE("the sound has no part at 0 Hz, and ends in silence that is exactly 0"
     CHECK(drum.silent());
 }
 
+TEST_CASE("what is heard rings at the frequencies of theory") {
+    const auto sound = played({{0, {}}}, 48000, 64);
+    const auto modes = membrane_modes({}, 6);
+    const auto level_at = [&](double w) {
+        double re = 0.0, im = 0.0;
+        for (std::size_t i = 2400; i < sound.size(); ++i) {
+            const double t = static_cast<double>(i) / kRate;
+            re += sound[i] * std::cos(w * t);
+            im += sound[i] * std::sin(w * t);
+        }
+        return std::hypot(re, im);
+    };
+    for (const std::size_t k : {0u, 1u, 3u, 5u}) {
+        const double w = modes[k].angular_frequency;
+        CHECK(level_at(w) > level_at(w * 1.004));
+        CHECK(level_at(w) > level_at(w / 1.004));
+        CHECK(level_at(w) > 3 * level_at(w * 1.12));
+    }
+}
+
 TEST_CASE("nothing makes it leave -1 to 1") {
     std::vector<Event> events;
     for (std::size_t i = 0; i < 200; ++i) {
