@@ -1,0 +1,34 @@
+// Between values and OSC packets, on liblo's messages and bundles.
+//
+// Pure functions over bytes; any thread. decode() takes any bytes whatever without harm.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "osc/address_table.hpp"
+#include "osc/outgoing.hpp"
+
+namespace percussionist::osc {
+
+using Packet = std::vector<char>;
+
+/// A contact, and behind it those before it (newest first), each in a bundle with its own time tag.
+Packet encode(const ContactMessage& contact, std::span<const ContactMessage> earlier,
+              double lookahead);
+Packet encode(const PoseMessage& pose, double lookahead);
+Packet encode(const StatusMessage& status, int subscribers, double lookahead);
+Packet encode(const FinishedMessage& finished, double lookahead);
+Packet encode(const ErrorMessage& error);
+/// The instant of sending, announced with the lookahead: what a receiver sets its clock by.
+Packet encode_clock(double wall, double lookahead);
+/// A single message of texts, to be acted on at once.
+Packet encode_text(const std::string& address, std::span<const std::string> texts);
+
+/// Calls `heard` for each message of a packet, bundled or not. False if it was not OSC.
+bool decode(std::span<const char> bytes,
+            const std::function<void(const std::string& path, std::span<const Argument>)>& heard);
+
+}  // namespace percussionist::osc
