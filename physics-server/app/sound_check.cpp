@@ -20,7 +20,9 @@ namespace {
 /// Two onsets so near agree [s].
 constexpr double kAgree = 0.004;
 /// How far an onset is looked for around its time [s].
-constexpr double kWindow = 0.02;
+constexpr double kWindow = 0.008;
+/// Of strokes closer than this the louder covers the other [s].
+constexpr double kAlone = 0.03;
 /// The offset is found from so many strokes and onsets of the beginning.
 constexpr std::size_t kFirst = 60;
 
@@ -52,6 +54,17 @@ double coarse_offset(std::span<const double> asked, std::span<const double> hear
     return offset;
 }
 
+/// Those with no other within kAlone.
+std::vector<double> alone(std::span<const double> times) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const bool after = i == 0 || times[i] - times[i - 1] > kAlone;
+        const bool before = i + 1 == times.size() || times[i + 1] - times[i] > kAlone;
+        if (after && before) all.push_back(times[i]);
+    }
+    return all;
+}
+
 }  // namespace
 
 SoundCheck check_sound(const std::filesystem::path& recording,
@@ -73,8 +86,9 @@ SoundCheck check_sound(const std::filesystem::path& recording,
         heard.push_back(onset.time);
     }
     const double coarse = coarse_offset(asked, heard);
-    std::vector<double> times;
-    for (const double time : asked) times.push_back(time + coarse);
+    std::vector<double> times = alone(asked);
+    for (double& time : times) time += coarse;
+    check.alone = static_cast<int>(times.size());
     std::vector<double> errors;
     const auto onsets = listening::onsets_near(sound, audio.rate, times, kWindow);
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -94,10 +108,10 @@ SoundCheck check_sound(const std::filesystem::path& recording,
 std::string describe(const SoundCheck& check) {
     if (!check.finite) return "the recording has samples that are no numbers\n";
     return fmt::format(
-        "strokes heard      {} of {}\n"
+        "strokes heard      {} of {} (of {}; the others are too close together to tell apart)\n"
         "sound timing       median {:.3f} ms, worst {:.3f} ms (after a constant {:+.3f} ms)\n"
         "peak level         {:.3f} ({:.1f} dB)\n",
-        check.heard, check.strokes, 1e3 * check.median_error, 1e3 * check.worst_error,
+        check.heard, check.alone, check.strokes, 1e3 * check.median_error, 1e3 * check.worst_error,
         1e3 * check.offset, check.peak, 20.0 * std::log10(std::max(check.peak, 1e-9)));
 }
 

@@ -11,9 +11,12 @@ namespace {
 /// (docs/physics.md), which this share of v T gives.
 constexpr double kShare = 1.0 / 1.7;
 /// Below this time between strokes the tip swings from one to the next in a single arc [s].
-constexpr double kSingleArc = 0.35;
-/// Time for a rebound to come to rest, and for a raise to begin from the waiting height [s].
+constexpr double kSingleArc = 0.30;
+/// A rebound comes to rest within this time, or at this height if it would rise higher [s], [m].
 constexpr double kReboundTime = 0.25;
+constexpr double kHighestRebound = 0.42;
+/// From the top of a rebound to the waiting height, and from there to the raised stick [s].
+constexpr double kSinkTime = 0.40;
 constexpr double kRaiseTime = 0.35;
 /// How much of the tip's movement the hand makes.
 constexpr double kHandShare = 0.45;
@@ -46,6 +49,22 @@ PathState Quintic::at(double t) const {
     return s;
 }
 
+double Quintic::top() const {
+    constexpr int kParts = 24;
+    const double step = (end_ - start_) / kParts;
+    for (int i = 0; i < kParts; ++i) {
+        double low = start_ + i * step;
+        double high = low + step;
+        if (!(at(low).velocity > 0.0 && at(high).velocity <= 0.0)) continue;
+        for (int halving = 0; halving < 30; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (at(middle).velocity > 0.0 ? low : high) = middle;
+        }
+        return low;
+    }
+    return end_;
+}
+
 void StrokePath::Track::add(double t0, const PathState& a, double t1, const PathState& b) {
     if (t1 - t0 < 1e-9 || count_ == static_cast<int>(pieces_.size())) return;
     pieces_[count_++] = Quintic(t0, a, t1, b);
@@ -67,81 +86,93 @@ StrokePath::StrokePath(double now) {
 PathState StrokePath::tip(double t) const { return tip_.at(t); }
 PathState StrokePath::hand(double t) const { return hand_.at(t); }
 
-void StrokePath::wait_from(Track& track, double t, const PathState& state, double height) {
-    const PathState waiting{height, 0.0, 0.0};
-    track.add(t, state, t + 2 * kReboundTime, waiting);
-    track.add(t + 2 * kReboundTime, waiting, t + kForever, waiting);
-}
-
 double StrokePath::free_from(double now) const {
     if (next_.holds(now)) return next_.leaves;
     return last_.holds(now) ? last_.leaves : now;
 }
 
-StrokePath::Cut StrokePath::cut(double now) {
+StrokePath::Pen StrokePath::cut(double now) {
     const double start = free_from(now);
-    const Cut cut{start, tip_.at(start), hand_.at(start)};
+    const Pen pen{start, tip_.at(start), hand_.at(start)};
     const PathState tip_now = tip_.at(now);
     const PathState hand_now = hand_.at(now);
     tip_.restart();
     hand_.restart();
     // A dip under way stays: a quintic through two states of a quintic is that quintic.
-    tip_.add(now, tip_now, start, cut.tip);
-    hand_.add(now, hand_now, start, cut.hand);
-    return cut;
+    tip_.add(now, tip_now, start, pen.tip);
+    hand_.add(now, hand_now, start, pen.hand);
+    return pen;
+}
+
+void StrokePath::draw(Pen& pen, double t, const PathState& tip, const PathState& hand) {
+    tip_.add(pen.time, pen.tip, t, tip);
+    // Where the tip flies over a top the hand goes with it.
+    const Quintic flight(pen.time, pen.tip, t, tip);
+    const double top = flight.top();
+    const double height = flight.at(top).position;
+    constexpr double kLowest = 0.01;  // of a top that is one [m]
+    if (top < t && top > pen.time && height > std::max(pen.tip.position, tip.position) + kLowest) {
+        const PathState over{kHandShare * height, 0.0, 0.0};
+        hand_.add(pen.time, pen.hand, top, over);
+        hand_.add(top, over, t, hand);
+    } else {
+        hand_.add(pen.time, pen.hand, t, hand);
+    }
+    pen = {t, tip, hand};
+}
+
+void StrokePath::draw_rest(Pen& pen, double t, double height) {
+    draw(pen, t, {height, 0.0, 0.0}, {kHandShare * height, 0.0, 0.0});
+}
+
+void StrokePath::rebound(Pen& pen) {
+    const double speed = pen.tip.velocity;
+    if (speed <= 0.0) return;
+    const double time = std::min(kReboundTime, kHighestRebound / (kShare * speed));
+    draw_rest(pen, pen.time + time, pen.tip.position + kShare * speed * time);
+}
+
+void StrokePath::wait(Pen& pen) {
+    rebound(pen);
+    draw_rest(pen, pen.time + kSinkTime, kWaitingHeight);
+    draw_rest(pen, pen.time + kForever, kWaitingHeight);
 }
 
 void StrokePath::rest(double now) {
-    const Cut from = cut(now);
+    Pen pen = cut(now);
     if (aiming(now)) next_ = {};
-    wait_from(tip_, from.time, from.tip, kWaitingHeight);
-    wait_from(hand_, from.time, from.hand, kHandShare * kWaitingHeight);
+    wait(pen);
 }
 
 bool StrokePath::aim(double now, const Aim& aim) {
     if (aim.time - free_from(now) < kShortestAim) return false;
-    const Cut from = cut(now);
-    raise_and_strike(from, aim);
+    Pen pen = cut(now);
+    if (aim.time - pen.time >= kSingleArc) raise(pen, aim);
+    strike(pen, aim);
+    wait(pen);
     if (!aiming(now)) last_ = next_;
     next_ = {aim.time, aim.time + aim.rebound.duration};
     return true;
 }
 
-void StrokePath::raise_and_strike(const Cut& from, const Aim& aim) {
-    const double hand_speed = kHandSpeedShare * aim.speed;
-    const PathState impact{0.0, -aim.speed, 0.0};
-    const PathState hand_impact{0.0, -hand_speed, 0.0};
-    const double time = aim.time - from.time;
-    double at = from.time;
-    PathState tip = from.tip;
-    PathState hand = from.hand;
-    const auto to = [&](double t, const PathState& next_tip, const PathState& next_hand) {
-        tip_.add(at, tip, t, next_tip);
-        hand_.add(at, hand, t, next_hand);
-        at = t;
-        tip = next_tip;
-        hand = next_hand;
-    };
-    if (time >= kSingleArc) {
-        const double down = std::min(aim.height / (kShare * aim.speed), 0.5 * time);
-        const double height = kShare * aim.speed * down;
-        const double raised = aim.time - down;
-        if (raised - at > kReboundTime + kRaiseTime) {
-            const double waiting =
-                std::max(kWaitingHeight, kShare * tip.velocity * kReboundTime);
-            const PathState wait_tip{waiting, 0.0, 0.0};
-            const PathState wait_hand{kHandShare * waiting, 0.0, 0.0};
-            to(at + kReboundTime, wait_tip, wait_hand);
-            to(raised - kRaiseTime, wait_tip, wait_hand);
-        }
-        to(raised, {height, 0.0, 0.0}, {kHandShare * height, 0.0, 0.0});
+void StrokePath::raise(Pen& pen, const Aim& aim) {
+    const double down = std::min(aim.height / (kShare * aim.speed), 0.5 * (aim.time - pen.time));
+    const double raised = aim.time - down;
+    if (raised - pen.time > kReboundTime + kSinkTime + kRaiseTime) {
+        rebound(pen);
+        draw_rest(pen, pen.time + kSinkTime, kWaitingHeight);
+        draw_rest(pen, raised - kRaiseTime, kWaitingHeight);
+    } else if (raised - pen.time > kReboundTime + kRaiseTime) {
+        rebound(pen);
     }
-    to(aim.time, impact, hand_impact);
-    const double leaves = aim.time + aim.rebound.duration;
-    to(leaves, {0.0, aim.rebound.speed, 0.0},
-       {-hand_speed * aim.rebound.duration, -hand_speed, 0.0});
-    wait_from(tip_, at, tip, kWaitingHeight);
-    wait_from(hand_, at, hand, kHandShare * kWaitingHeight);
+    draw_rest(pen, raised, kShare * aim.speed * down);
+}
+
+void StrokePath::strike(Pen& pen, const Aim& aim) {
+    const double hand_speed = kHandSpeedShare * aim.speed;
+    draw(pen, aim.time, {0.0, -aim.speed, 0.0}, {0.0, -hand_speed, 0.0});
+    draw(pen, aim.time + aim.rebound.duration, {0.0, aim.rebound.speed, 0.0},
+         {-hand_speed * aim.rebound.duration, -hand_speed, 0.0});
 }
 
 }  // namespace percussionist::body

@@ -6,7 +6,8 @@
 // where the dip is not a wish but a forecast: the head throws the stick back, and a target that
 // knows how far, how long and how fast leaves the controller nothing to fight. aim() may be called
 // at any time, also while a stroke is under way: the path goes on from where it is, so that a change
-// of tempo bends it without a jump.
+// of tempo bends it without a jump. The hand makes a share of every rise of the tip, so that the
+// stick never points straight up.
 //
 // No allocation after construction; deterministic; one thread.
 #pragma once
@@ -30,6 +31,8 @@ class Quintic {
     Quintic(double t0, const PathState& a, double t1, const PathState& b);
     [[nodiscard]] PathState at(double t) const;
     [[nodiscard]] double end() const { return end_; }
+    /// The time at which it stops rising and begins to fall, if it does so once inside; else end().
+    [[nodiscard]] double top() const;
 
   private:
     double start_ = 0.0, end_ = 0.0;
@@ -84,18 +87,23 @@ class StrokePath {
         [[nodiscard]] PathState at(double t) const;
 
       private:
-        std::array<Quintic, 12> pieces_;
+        std::array<Quintic, 16> pieces_;
         int count_ = 0;
     };
-    /// Where a new path begins: now, or where a dip under way ends.
-    struct Cut {
+    /// Where both tracks have been drawn to.
+    struct Pen {
         double time;
         PathState tip, hand;
     };
-    Cut cut(double now);
+    /// Puts the pen down now, or where a dip under way ends.
+    Pen cut(double now);
     [[nodiscard]] double free_from(double now) const;
-    void wait_from(Track& track, double t, const PathState& state, double height);
-    void raise_and_strike(const Cut& from, const Aim& aim);
+    void draw(Pen& pen, double t, const PathState& tip, const PathState& hand);
+    void draw_rest(Pen& pen, double t, double height);
+    void rebound(Pen& pen);
+    void wait(Pen& pen);
+    void raise(Pen& pen, const Aim& aim);
+    void strike(Pen& pen, const Aim& aim);
 
     Track tip_, hand_;
     /// The stay in the head after an impact.

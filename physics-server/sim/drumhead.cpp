@@ -43,7 +43,8 @@ void Drumhead::tune(const modal::Membrane& membrane, const modal::Decay& decay) 
 bool Drumhead::near(const TouchingTip& tip) const {
     constexpr double kMargin = 0.003;
     const double reach = std::max(0.0, -tip.velocity.z()) * period_ * samples_;
-    return tip.place.z() < kMargin + 1.5 * reach;
+    const double radius = membrane_.modes().front().radius;
+    return tip.place.head<2>().norm() < radius && tip.place.z() < kMargin + 1.5 * reach;
 }
 
 void Drumhead::take_up(std::size_t hand, const TouchingTip& tip) {

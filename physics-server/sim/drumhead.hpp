@@ -43,7 +43,7 @@ class Drumhead {
     /// h [s], the step of the body's simulation. Throws std::invalid_argument.
     Drumhead(const DrumheadOptions& options, double h);
 
-    /// Whether a tip may touch within the coming step, or does.
+    /// Whether a tip may touch within the coming step, or does. Beyond the rim it passes by.
     [[nodiscard]] bool near(const TouchingTip& tip) const;
 
     /// From `time` to time + h, the tips by body::Hand. Returns the impulse on each tip along z
