@@ -43,8 +43,7 @@ Vector3 InverseKinematics::grip(const Placement& placement, Hand hand) const {
     return placement.joint[stick_[static_cast<int>(hand)]];
 }
 
-double InverseKinematics::solve(const ArmTargets& targets, Posture& posture,
-                                Placement& placement) {
+double InverseKinematics::solve(const ArmTargets& targets, Posture& posture, Placement& placement) {
     forward_kinematics(skeleton_, posture, placement);
     for (int i = 0; i < options_.iterations; ++i) iterate(targets, posture, placement);
     double worst = 0.0;
@@ -55,8 +54,7 @@ double InverseKinematics::solve(const ArmTargets& targets, Posture& posture,
     return worst;
 }
 
-void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture,
-                                Placement& placement) {
+void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Placement& placement) {
     Eigen::Matrix<double, kTasks, 1> error;
     std::array<Vector3, 2> tips, grips;
     for (const Hand hand : kHands) {
@@ -103,8 +101,8 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture,
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         const Column& c = columns_[k];
         const auto first = static_cast<Eigen::Index>(3 * k);
-        const Vector3 turn = c.weight.cwiseAbs2().cwiseProduct(step_.segment<3>(first)) +
-                             pull_.segment<3>(first);
+        const Vector3 turn =
+            c.weight.cwiseAbs2().cwiseProduct(step_.segment<3>(first)) + pull_.segment<3>(first);
         Quaternion& joint = posture.joints[c.segment];
         joint = (joint * linear::quaternion_exp(turn)).normalized();
         joint = clamp(joint, skeleton_.segments[c.segment].limits);

@@ -1,8 +1,8 @@
 // Inverse kinematics by damped least squares: from the places of both stick tips to joint targets.
 //
 // Each arm has two tasks: its tip's place (x y z) and, softer, the height of its grip, so that the
-// stick swings about a hand that moves smoothly. With the Jacobian J of the tasks, a diagonal W that
-// says how readily each joint moves, and a pull z towards the rest posture,
+// stick swings about a hand that moves smoothly. With the Jacobian J of the tasks, a diagonal W
+// that says how readily each joint moves, and a pull z towards the rest posture,
 //     dq = W J^T (J W J^T + lambda^2)^-1 (e - J z) + z.
 // Wampler 1986; the pull projected as in Siciliano and Slotine 1991. A few iterations from the last
 // solution follow a moving target; joint limits clamp the result.
@@ -25,9 +25,9 @@ using ArmTargets = std::array<ArmTarget, 2>;  ///< by Hand
 
 struct InverseKinematicsOptions {
     int iterations = 3;
-    double damping = 0.002;      ///< lambda, of the tip tasks [m]
-    double grip_weight = 0.3;    ///< of the grip's height against the tip's place
-    double rest_pull = 0.002;    ///< share of the way to rest, each iteration
+    double damping = 0.002;    ///< lambda, of the tip tasks [m]
+    double grip_weight = 0.3;  ///< of the grip's height against the tip's place
+    double rest_pull = 0.002;  ///< share of the way to rest, each iteration
 };
 
 class InverseKinematics {
@@ -44,8 +44,8 @@ class InverseKinematics {
   private:
     struct Column {
         int segment;
-        Vector3 weight;                ///< of rotation about its own x y z
-        std::array<bool, 2> moves;     ///< whether it moves the tip of each hand
+        Vector3 weight;             ///< of rotation about its own x y z
+        std::array<bool, 2> moves;  ///< whether it moves the tip of each hand
         std::array<bool, 2> moves_grip;
     };
     void iterate(const ArmTargets& targets, Posture& posture, Placement& placement);
