@@ -107,13 +107,13 @@ void ClockTracker::keep(const Point& point) noexcept {
 /// The hull through `b` blocks is right to about three times a block's lateness by b.
 std::size_t ClockTracker::blocks_wanted() const noexcept {
     const double wanted = 3.0 * least_late_ / settings_.accuracy;
-    return static_cast<std::size_t>(std::clamp(wanted, static_cast<double>(kLeastBlocks),
-                                               static_cast<double>(kMostBlocks)));
+    return static_cast<std::size_t>(
+        std::clamp(wanted, static_cast<double>(kLeastBlocks), static_cast<double>(kMostBlocks)));
 }
 
 double ClockTracker::slope_error(double span) const noexcept {
     const double n = per_block_ * static_cast<double>(count_ + 1);
-    return span > 0.0 ? 8.0 * mean_late_ / (n * span) : std::numeric_limits<double>::infinity();
+    return span > 0.0 ? 14.0 * mean_late_ / (n * span) : std::numeric_limits<double>::infinity();
 }
 
 void ClockTracker::fit() noexcept {

@@ -11,7 +11,7 @@
 // each block of time is kept, and no more blocks than the lateness asks for.
 //
 // While there are few, the slope of the hull is noise: it is weighed against the rate known before
-// (first 0 +- 50 ppm), by its standard error of about 8 lateness / (n span).
+// (first 0 +- 50 ppm), by its standard error of about 14 lateness / (n span).
 //
 // A step (one of the clocks was set, the machine slept, an audio device dropped out): what comes
 // early beyond `step` is believed at once; what comes late, once the least late observations of two
