@@ -3,15 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace percussionist::timing {
 
 namespace {
 
-constexpr double kSurest = 2e-6;  // a rate is never known better from before than this
+constexpr double kSurest = 2e-6;        // a rate is never known better from before than this
+constexpr double kMemory = 32.0;        // blocks
+constexpr double kCaution = 4.0;        // blocks
+constexpr double kPatience = 0.35;      // [s]
+constexpr unsigned kLeastSuspects = 4;  // observations
 
-double running_mean(double mean, double value, double count, double most) {
-    return mean + (value - mean) / std::min(count, most);
+constexpr double kObservations = 200.0;  // that a mean goes back over
+
+/// The mean of `count` values, once `more` of them have been added that are `value`.
+double running_mean(double mean, double value, double count, double most, double more = 1.0) {
+    return mean + (value - mean) * std::min(1.0, more / std::min(count, most));
 }
 
 }  // namespace
@@ -29,24 +37,77 @@ void ClockTracker::observe(double x, double y) noexcept {
         lock(x, y);
         return;
     }
+    if (y - block_.began >= settings_.block) {
+        finish_block();
+        block_.began = y;
+    }
     const double late = y - to_y(x);
-    if (late < -settings_.step) {
+    if (late < -settings_.step || stepped_later(x, y, late)) {
         ++steps_;
         lock(x, y);
         return;
     }
-    if (std::abs(x - block_.began) >= settings_.block || std::abs(late) > 1.0) {
-        finish_block();
-        block_.began = x;
+    if (suspect_.count == 0) {
+        mean_late_ = running_mean(mean_late_, std::max(late, 0.0), ++observations_, kObservations);
     }
-    const double usual = std::max(settings_.step, 5.0 * std::max(mean_late_, least_late_));
-    mean_late_ = running_mean(mean_late_, std::clamp(late, 0.0, usual), ++observations_, 200.0);
     if (block_.count++ == 0 || late < block_.late) {
         block_.least = {x - x0_, y - x - origin_};
         block_.late = late;
         if (late < 0.0) {
             fit();
         }
+    }
+}
+
+/// What all of the observations in kPatience exceed once in e^16 times by chance, if their lateness
+/// is even up to twice its mean: 16 times twice the mean by their number; and more where they are
+/// not independent.
+double ClockTracker::latest_usual() const noexcept {
+    const double number = per_block_ * kPatience / settings_.block;
+    return std::max({settings_.step, 4.0 * least_late_, 32.0 * mean_late_ / number});
+}
+
+/// Whether for some time now nothing has come in time; then x and y become the least late of that.
+bool ClockTracker::stepped_later(double& x, double& y, double late) noexcept {
+    if (late <= latest_usual()) {
+        acquit(y);
+        return false;
+    }
+    if (suspect_.count++ == 0) {
+        suspect_.began = y;
+        suspect_.sum = 0.0;
+    }
+    suspect_.sum += late;
+    if (suspect_.count == 1 || late < suspect_.late) {
+        suspect_.late = late;
+        suspect_.least = {x, y};
+    }
+    if (y - suspect_.began < kPatience || suspect_.count < kLeastSuspects) {
+        return false;
+    }
+    x = suspect_.least.x;
+    y = suspect_.least.y;
+    return true;
+}
+
+/// The suspects were no more than late: that late is usual, then.
+void ClockTracker::acquit(double y) noexcept {
+    if (suspect_.count == 0) {
+        return;
+    }
+    const double count = suspect_.count;
+    observations_ += count;
+    mean_late_ =
+        running_mean(mean_late_, suspect_.sum / count, observations_, kObservations, count);
+    if (y - suspect_.began > settings_.block) {
+        least_late_ = running_mean(least_late_, suspect_.late, ++blocks_ + kCaution, kMemory);
+    }
+    suspect_ = {};
+}
+
+void ClockTracker::observe_if_early(double x, double y) noexcept {
+    if (!started_ || y - to_y(x) < least_late_) {
+        observe(x, y);
     }
 }
 
@@ -62,39 +123,22 @@ void ClockTracker::lock(double x, double y) noexcept {
     offset_ = 0.0;
     first_ = count_ = 0;
     suspect_ = {};
-    block_ = {.least = {0.0, 0.0}, .late = 0.0, .began = x, .count = 1};
+    block_ = {.least = {0.0, 0.0}, .late = 0.0, .began = y, .count = 1};
 }
 
-/// Keeps the block's least late observation, unless all of it came too late: then the clock has
-/// perhaps been set, and surely if it was so in the block before.
+/// Keeps the block's least late observation, unless it is much later than usual.
 void ClockTracker::finish_block() noexcept {
-    const Block done = block_;
-    block_ = {};
+    const Block done = std::exchange(block_, {});
     if (done.count == 0) {
         return;
     }
-    const double limit = std::max(settings_.step, 5.0 * least_late_);
-    if (done.late > limit && suspect_.count > 0) {
-        ++steps_;
-        const Block before = suspect_;
-        const double x0 = x0_, origin = origin_;
-        lock(done.least.x + x0, done.least.y + done.least.x + origin + x0);
-        block_ = {};
-        keep({before.least.x + x0 - x0_, before.least.y + origin - origin_});
-        keep({0.0, 0.0});
+    if (done.late <= latest_usual()) {
+        per_block_ = running_mean(per_block_, done.count, ++blocks_, kMemory);
+        least_late_ =
+            running_mean(least_late_, std::max(done.late, 0.0), blocks_ + kCaution, kMemory);
+        keep(done.least);
         fit();
-        return;
     }
-    per_block_ = running_mean(per_block_, done.count, ++blocks_, 32.0);
-    least_late_ =
-        running_mean(least_late_, std::clamp(done.late, 0.0, 2.0 * limit), blocks_ + 1.0, 32.0);
-    suspect_ = {};
-    if (done.late > limit) {
-        suspect_ = done;
-        return;
-    }
-    keep(done.least);
-    fit();
 }
 
 void ClockTracker::keep(const Point& point) noexcept {
@@ -111,9 +155,14 @@ std::size_t ClockTracker::blocks_wanted() const noexcept {
         std::clamp(wanted, static_cast<double>(kLeastBlocks), static_cast<double>(kMostBlocks)));
 }
 
+/// By the single observations, or by the blocks once there are some: whichever tells more.
 double ClockTracker::slope_error(double span) const noexcept {
-    const double n = per_block_ * static_cast<double>(count_ + 1);
-    return span > 0.0 ? 14.0 * mean_late_ / (n * span) : std::numeric_limits<double>::infinity();
+    if (!(span > 0.0)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const auto blocks = static_cast<double>(count_ + 1);
+    const double single = 14.0 * mean_late_ / (per_block_ * blocks * span);
+    return blocks < kMemory ? single : std::min(single, 8.0 * least_late_ / (blocks * span));
 }
 
 void ClockTracker::fit() noexcept {
@@ -121,7 +170,7 @@ void ClockTracker::fit() noexcept {
     for (std::size_t i = 0; i < count_; ++i) {
         add_to_hull(points_[(first_ + i) % kMostBlocks]);
     }
-    if (block_.count > 0 && suspect_.count == 0) {
+    if (block_.count > 0 && block_.late <= latest_usual()) {
         add_to_hull(block_.least);
     }
     if (hull_count_ == 0) {

@@ -14,8 +14,8 @@
 // (first 0 +- 50 ppm), by its standard error of about 14 lateness / (n span).
 //
 // A step (one of the clocks was set, the machine slept, an audio device dropped out): what comes
-// early beyond `step` is believed at once; what comes late, once the least late observations of two
-// blocks do, beyond `step` and beyond five times what is usual. The rate is kept.
+// early beyond `step` is believed at once; what comes late, once for a third of a second everything
+// does, beyond `step` and beyond what chance would do. The rate is kept.
 //
 // Pure, all of it noexcept and without allocation; one thread at a time. Times in seconds; their
 // differences are accurate to a double's 1e-16 of their size.
@@ -39,6 +39,8 @@ class ClockTracker {
     explicit ClockTracker(const Settings& settings) : settings_(settings) {}
 
     void observe(double x, double y) noexcept;
+    /// One that may be later than others for reasons of its own: heeded only if it comes early.
+    void observe_if_early(double x, double y) noexcept;
     /// Forgets everything but the rate.
     void restart() noexcept;
 
@@ -64,13 +66,17 @@ class ClockTracker {
     };
     struct Block {
         Point least;
-        double late = 0.0;
+        double late = 0.0;  // of the least late
+        double sum = 0.0;   // of all
         double began = 0.0;
         unsigned count = 0;
     };
 
     double deviation(double x) const noexcept { return offset_ + rate_ * (x - x0_); }
     void lock(double x, double y) noexcept;
+    double latest_usual() const noexcept;
+    bool stepped_later(double& x, double& y, double late) noexcept;
+    void acquit(double y) noexcept;
     void finish_block() noexcept;
     void keep(const Point& point) noexcept;
     void fit() noexcept;
@@ -87,7 +93,8 @@ class ClockTracker {
     double observations_ = 0.0, blocks_ = 0.0;       // behind these means
     double per_block_ = 1.0;
     unsigned steps_ = 0;
-    Block block_, suspect_;  // a suspect: the block before, if all of it was too late
+    Block block_;
+    Block suspect_;  // the latest observations, as long as all of them are too late
     std::array<Point, kMostBlocks> points_{};
     std::size_t first_ = 0, count_ = 0;
     std::array<Point, kMostBlocks + 1> hull_{};

@@ -103,14 +103,15 @@ void OscInbox::follow_clock(Sender& sender, const OscPacket& packet, double arri
         sender.lookahead = told;
         sender.clock.restart();
     }
-    if (sender.lookahead && !told && !find(packet, kContact)) {
-        return;
-    }
     if (!sender.clock.started()) {
         sender.epoch = packet.tag;
     }
-    sender.clock.observe(seconds_between(sender.epoch, packet.tag) - sender.lookahead.value_or(0.0),
-                         arrival);
+    const double sent = seconds_between(sender.epoch, packet.tag) - sender.lookahead.value_or(0.0);
+    if (told || !sender.lookahead) {
+        sender.clock.observe(sent, arrival);
+    } else if (find(packet, kContact)) {
+        sender.clock.observe_if_early(sent, arrival);
+    }
 }
 
 void OscInbox::deliver(Sender& sender, OscBundle& bundle) {
