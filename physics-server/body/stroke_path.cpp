@@ -8,7 +8,7 @@ namespace {
 
 /// A quintic that comes to rest from speed v (or starts from rest) within T covers v T / 2 if its
 /// speed is not to overshoot; played strokes peak at 1.2 to 1.4 times their speed at the impact
-/// (docs/physics.md), which this share of v T gives.
+/// (docs/body.md), which this share of v T gives.
 constexpr double kShare = 1.0 / 1.7;
 /// Below this time between strokes the tip swings from one to the next in a single arc [s].
 constexpr double kSingleArc = 0.30;
