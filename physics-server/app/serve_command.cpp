@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/commands.hpp"
+#include "app/real_time.hpp"
 #include "app/server.hpp"
 #include "app/simulation_flags.hpp"
 
@@ -27,6 +28,7 @@ void serve(const ServeOptions& options) {
     Server server(options, clock);
     fmt::print("listening on {} port {}\n", options.endpoint.listen, server.port());
     std::fflush(stdout);
+    ask_for_real_time();
     server.run(g_stop);
     fmt::print("{}late steps         {}\n", describe(server.performance().summary()),
                server.late_steps());

@@ -16,7 +16,7 @@ constexpr std::size_t kRideAlong = 7;
 /// How often a contact is sent again, evenly over the lookahead that is left after it was known.
 constexpr int kRepeats = 4;
 constexpr double kRepeatShare = 1.0 / 8.0;
-constexpr double kClockInterval = 0.05;
+constexpr double kClockInterval = 0.01;
 constexpr std::size_t kMostSubscribers = 32;
 /// Commands not yet taken beyond this many are refused: memory is bounded.
 constexpr std::size_t kMostCommands = 256;
