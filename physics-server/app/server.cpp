@@ -83,7 +83,10 @@ void Server::step() {
     for (const LoggedContact& contact : performance_.step()) tell_contact(contact);
     const double time = performance_.simulation().time();
     if (time >= next_pose_) tell_pose();
-    if (time >= next_status_) tell_status();
+    if (time >= next_status_) {
+        tell_scene();
+        tell_status();
+    }
     if (playing && !performance_.playing()) tell_finished();
 }
 
@@ -164,6 +167,19 @@ void Server::tell_pose() {
                                 static_cast<float>(q.y()), static_cast<float>(q.z())}});
     }
     endpoint_.tell(std::move(pose));
+}
+
+void Server::tell_scene() {
+    const sim::Simulation& simulation = performance_.simulation();
+    osc::SceneMessage scene;
+    scene.wall = wall(simulation.time());
+    for (const body::Segment& s : simulation.skeleton().segments) {
+        const linear::Vector3 middle = 0.5 * (s.joint_rest + s.end_rest) - s.com_rest;
+        scene.bodies.push_back({s.name, floats<3>(middle), floats<3>(s.size)});
+    }
+    scene.drums.push_back({0, floats<3>(simulation.head_centre()),
+                           static_cast<float>(options_.simulation.head.membrane.radius)});
+    endpoint_.tell(std::move(scene));
 }
 
 void Server::tell_status() {

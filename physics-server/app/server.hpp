@@ -50,6 +50,7 @@ class Server {
     void step();
     void tell_contact(const LoggedContact& contact);
     void tell_pose();
+    void tell_scene();
     void tell_status();
     void tell_finished();
     void write_log() const;

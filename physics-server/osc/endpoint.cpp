@@ -184,6 +184,8 @@ void Endpoint::send(const Outgoing& message) {
         send_contact(*contact);
     } else if (const auto* pose = std::get_if<PoseMessage>(&message)) {
         broadcast(encode(*pose, lookahead), Feed::pose);
+    } else if (const auto* scene = std::get_if<SceneMessage>(&message)) {
+        broadcast(encode(*scene, lookahead), Feed::pose);
     } else if (const auto* status = std::get_if<StatusMessage>(&message)) {
         broadcast(encode(*status, subscribers(), lookahead), Feed::all);
     } else if (const auto* finished = std::get_if<FinishedMessage>(&message)) {

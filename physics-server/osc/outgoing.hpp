@@ -34,6 +34,25 @@ struct PoseMessage {
     std::vector<BodyPose> bodies;
 };
 
+struct BodyShape {
+    std::string name;
+    std::array<float, 3> middle{};  ///< against its centre of mass, its own frame [m]
+    std::array<float, 3> size{};    ///< along its own axes [m]
+};
+
+struct DrumShape {
+    std::int32_t drum = 0;
+    std::array<float, 3> middle{};  ///< of the head, world [m]
+    float radius = 0.0F;            ///< [m]
+};
+
+/// What there is to see: told each second to whom poses are told.
+struct SceneMessage {
+    double wall = 0.0;
+    std::vector<BodyShape> bodies;
+    std::vector<DrumShape> drums;
+};
+
 struct StatusMessage {
     double wall = 0.0, time = 0.0;  ///< wall clock and simulated time [s]
     float load = 0.0F;              ///< computing time over simulated time
@@ -52,6 +71,6 @@ struct ErrorMessage {
 };
 
 using Outgoing =
-    std::variant<ContactMessage, PoseMessage, StatusMessage, FinishedMessage, ErrorMessage>;
+    std::variant<ContactMessage, PoseMessage, SceneMessage, StatusMessage, FinishedMessage, ErrorMessage>;
 
 }  // namespace percussionist::osc

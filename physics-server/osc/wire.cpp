@@ -161,6 +161,21 @@ Packet encode(const PoseMessage& pose, double lookahead) {
     return serialise(bundle);
 }
 
+Packet encode(const SceneMessage& scene, double lookahead) {
+    Bundle bundle = make_bundle(scene.wall + lookahead);
+    for (const BodyShape& b : scene.bodies) {
+        lo_bundle_add_message(bundle.get(), "/body",
+                              make_message(b.name, b.middle[0], b.middle[1], b.middle[2],
+                                           b.size[0], b.size[1], b.size[2]));
+    }
+    for (const DrumShape& d : scene.drums) {
+        lo_bundle_add_message(
+            bundle.get(), "/drum",
+            make_message(d.drum, d.middle[0], d.middle[1], d.middle[2], d.radius));
+    }
+    return serialise(bundle);
+}
+
 Packet encode(const StatusMessage& s, int subscribers, double lookahead) {
     return one_message(s.wall + lookahead, "/status", s.time, s.load, s.late_steps, s.strokes,
                        s.contacts, static_cast<std::int32_t>(subscribers));

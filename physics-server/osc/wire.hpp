@@ -19,6 +19,7 @@ using Packet = std::vector<char>;
 Packet encode(const ContactMessage& contact, std::span<const ContactMessage> earlier,
               double lookahead);
 Packet encode(const PoseMessage& pose, double lookahead);
+Packet encode(const SceneMessage& scene, double lookahead);
 Packet encode(const StatusMessage& status, int subscribers, double lookahead);
 Packet encode(const FinishedMessage& finished, double lookahead);
 Packet encode(const ErrorMessage& error);
