@@ -23,6 +23,13 @@ struct ContactMessage {
     bool recontact = false;
 };
 
+/// A hand begins to prepare a stroke.
+struct StrikeMessage {
+    double wall = 0.0;  ///< now, wall clock [s]
+    std::int32_t hand = 0, stroke = -1;
+    float ahead = 0, velocity = 0, height = 0;  ///< to the impact [s], at it [m/s], before it [m]
+};
+
 struct BodyPose {
     std::string name;
     std::array<float, 3> position{};     ///< [m]
@@ -59,18 +66,18 @@ struct StatusMessage {
     std::int32_t late_steps = 0, strokes = 0, contacts = 0;
 };
 
+/// A subscriber that was dropped because it listens no more.
+struct DroppedMessage {
+    std::string host, port;
+};
+
 /// The score is over and has rung out.
 struct FinishedMessage {
     double wall = 0.0;
     std::int32_t strokes = 0, contacts = 0;
 };
 
-struct ErrorMessage {
-    double wall = 0.0;
-    std::string about, reason;
-};
-
-using Outgoing =
-    std::variant<ContactMessage, PoseMessage, SceneMessage, StatusMessage, FinishedMessage, ErrorMessage>;
+using Outgoing = std::variant<ContactMessage, StrikeMessage, PoseMessage, SceneMessage,
+                              StatusMessage, FinishedMessage, DroppedMessage>;
 
 }  // namespace percussionist::osc
