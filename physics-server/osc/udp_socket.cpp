@@ -88,8 +88,16 @@ std::optional<UdpSocket::Received> UdpSocket::receive(std::span<char> buffer, in
 }
 
 bool UdpSocket::send(std::span<const char> bytes, const sockaddr_in& to) {
-    return sendto(fd_, bytes.data(), bytes.size(), MSG_DONTWAIT,
-                  reinterpret_cast<const sockaddr*>(&to), sizeof to) >= 0;
+    // What one peer's machine has answered before is reported by the next call, whoever that is to.
+    constexpr int kTries = 4;
+    for (int i = 0; i < kTries; ++i) {
+        if (sendto(fd_, bytes.data(), bytes.size(), MSG_DONTWAIT,
+                   reinterpret_cast<const sockaddr*>(&to), sizeof to) >= 0) {
+            return true;
+        }
+        if (errno != ECONNREFUSED && errno != EHOSTUNREACH) return false;
+    }
+    return false;
 }
 
 }  // namespace percussionist::osc
