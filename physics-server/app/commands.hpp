@@ -13,6 +13,8 @@ void add_serve_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 /// check: how well a recording agrees with the contacts of its performance.
 void add_check_command(CLI::App& program);
+/// samples: the drum's strokes as files, for the patches' sample voice.
+void add_samples_command(CLI::App& program);
 /// bench: how fast the simulation is.
 void add_bench_command(CLI::App& program);
 
