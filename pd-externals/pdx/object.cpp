@@ -1,6 +1,7 @@
 #include "pdx/object.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "pdx/box.hpp"
 
@@ -51,6 +52,20 @@ void Object::send(std::size_t outlet, const char* selector, std::span<const Atom
     auto atoms = to_pd(arguments);
     outlet_anything(box_.outlets[outlet], gensym(selector), static_cast<int>(atoms.size()),
                     atoms.data());
+}
+
+std::vector<double> array_values(const char* name) {
+    auto* const array = reinterpret_cast<t_garray*>(pd_findbyclass(gensym(name), garray_class));
+    int size = 0;
+    t_word* words = nullptr;
+    if (!array || !garray_getfloatwords(array, &size, &words)) {
+        throw std::invalid_argument(std::string("no array '") + name + "'");
+    }
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(size));
+    std::for_each(words, words + size,
+                  [&](const t_word& word) { values.push_back(static_cast<double>(word.w_float)); });
+    return values;
 }
 
 Clock::Clock(const Object& owner, std::function<void()> callback)

@@ -28,7 +28,7 @@ Bounce bounce(const Mallet& mallet, double speed, double period = kPeriod) {
     const double compliance = 0.5 * period * period / mallet.mass;
     const double before = 0.5 * mallet.mass * speed * speed;
     do {
-        force = contact_force(mallet, {d, period * rate, compliance, period}, force);
+        force = contact_force(mallet, {d, period * rate, compliance, period, rate}, force);
         d += period * rate - compliance * force;
         rate -= period * force / mallet.mass;
         result.duration += period;
