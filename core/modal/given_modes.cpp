@@ -42,6 +42,9 @@ void check_mode(const GivenMode& mode, std::size_t number, std::size_t places) {
         refuse(name + "expected as many weights as places",
                static_cast<double>(mode.weights.size()));
     }
+    if (!(std::abs(mode.heard) <= 1e6)) {
+        refuse(name + "expected to be heard with a weight from -1e6 to 1e6", mode.heard);
+    }
     for (const double weight : mode.weights) {
         if (!(std::abs(weight) <= 1e6)) {
             refuse(name + "expected weights from -1e6 to 1e6", weight);
@@ -110,6 +113,16 @@ void evaluate_weights(const GivenModes& given, const Spot& spot,
         values[k++] = weight * std::cos(angle);
         if (mode.diameters > 0) {
             values[k++] = weight * std::sin(angle);
+        }
+    }
+}
+
+void heard_weights(const GivenModes& given, std::span<double> values) noexcept {
+    std::size_t k = 0;
+    for (const auto& mode : given.modes) {
+        values[k++] = mode.heard;
+        if (mode.diameters > 0) {
+            values[k++] = mode.heard;
         }
     }
 }

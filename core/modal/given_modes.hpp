@@ -23,6 +23,7 @@ struct GivenMode {
     double t60 = 0.0;             ///< [s]
     int diameters = 0;            ///< m
     std::vector<double> weights;  ///< at each place [1/sqrt(kg)]
+    double heard = 0.0;           ///< by a microphone, of the amplitude's velocity
 };
 
 struct GivenModes {
@@ -42,5 +43,8 @@ std::size_t sounding_modes(const GivenModes& given);
 /// Every sounding mode's weight at a spot, pairs beside each other, cosine first. (The spread is
 /// not known to modes without a wave number: it is left aside.) `values` has room.
 void evaluate_weights(const GivenModes& given, const Spot& spot, std::span<double> values) noexcept;
+
+/// What a microphone hears of each sounding mode.
+void heard_weights(const GivenModes& given, std::span<double> values) noexcept;
 
 }  // namespace percussionist::modal

@@ -176,6 +176,10 @@ void ModalDrum::read_pickups() {
         ear.weights.force.assign(afar ? bank.padded() : 0, 0.0);
         ear.later.assign(afar ? bank.padded() : 0, 0.0);
         ear.shape = head_->shapes(pickup.r, pickup.theta);
+        const auto* given = std::get_if<GivenModes>(&head_->resonator().body());
+        if (given && pickup.hears == Pickup::Hears::pressure) {
+            heard_weights(*given, ear.shape);
+        }
         for (std::size_t k = 0; afar && k < modes.size(); ++k) {
             const Phase phase = power_of_i(modes[k].diameters);
             const double far = kFarAway * radiation(modes[k], pickup.elevation, pickup.theta);

@@ -7,7 +7,8 @@
 // risen well clear of the head. Up to eight strike at once; a ninth takes the place of the oldest.
 // One of the eight may be a follower, which a signal moves: a tracker's stick.
 //
-// What is heard is the head's velocity or displacement at a pickup, or the pressure a metre away.
+// What is heard is the head's velocity or displacement at a pickup, or the pressure a metre away
+// (of given modes, what their microphone hears).
 // The gains are chosen so that the default mallet at 2 m/s peaks near 0.3 on the default drum; what
 // exceeds 0.6 is bent so as to stay below 1. Another place to listen, other modes or another body
 // are faded in over a chunk of samples, while the old ones ring on: nothing clicks.

@@ -88,8 +88,14 @@ void take_line(GivenModes& given, std::string_view text, std::size_t line) {
             refuse(line, "expected at most 8192 modes");
         }
         given.modes.push_back(mode_of(numbers(text, line), line));
+    } else if (key == "heard") {
+        const auto values = numbers(text, line);
+        if (values.size() != 1 || given.modes.empty()) {
+            refuse(line, "expected heard WEIGHT below its mode");
+        }
+        given.modes.back().heard = values[0];
     } else {
-        refuse(line, "expected name, origin, radius, places or mode, got '" +
+        refuse(line, "expected name, origin, radius, places, mode or heard, got '" +
                          std::string(key.substr(0, 40)) + "'");
     }
 }
@@ -108,6 +114,10 @@ std::string write_modes(const GivenModes& given) {
         append(text, mode.t60);
         append(text, mode.diameters);
         std::for_each(mode.weights.begin(), mode.weights.end(), [&](double x) { append(text, x); });
+        if (mode.heard != 0.0) {
+            text += "\nheard";
+            append(text, mode.heard);
+        }
     }
     return text + "\n";
 }
