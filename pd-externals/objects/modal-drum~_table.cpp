@@ -35,12 +35,12 @@ PDX_SETUP(setup_modal0x2ddrum_tilde) {
                   number("exponent").from(1).to(5).by_default(mallet.exponent),
                   number("dissipation", "s/m").from(0).to(1e6).by_default(mallet.dissipation),
                   number("stickiness", "N").from(0).to(1e4).by_default(0)},
-                 "what strikes, from the next stroke on; exponent 1: linear, cheap", &Drum::mallet)
+                 "what strikes from now on (exponent 1: linear)", &Drum::mallet)
         .message("slide", {speed("x"), speed("y")},
                  "how the next strokes move along the head while they touch", &Drum::slide)
         .message("position", {r, theta}, "where strokes fall that do not say", &Drum::position)
         .message("follow", {r, theta},
-                 "a felt there follows the second inlet; another place: it glides", &Drum::follow)
+                 "a felt there follows the second inlet (another place: it glides)", &Drum::follow)
         .message("unfollow", {}, "no felt follows", &Drum::unfollow)
         .message("force-at", {r, theta}, "where the first inlet's force acts", &Drum::force_at)
         .message("hand",
