@@ -10,7 +10,7 @@ namespace {
 
 /// From what is heard to samples; see the header. Of velocity [s/m], position [1/m], pressure
 /// [1/Pa].
-constexpr std::array<double, 3> kGains{0.39, 360.0, 0.022};
+constexpr std::array<double, 3> kGains{0.39, 470.0, 0.0127};
 /// A mallet this far above the head and rising does not come back [m].
 constexpr double kClear = 0.003;
 /// A follower this far above the head's rest touches nothing [m].
@@ -101,6 +101,9 @@ std::size_t ModalDrum::free_length(const DrumSignals<Sample>& signals, std::size
     const bool following = follower() < active_;
     if (active_ > (following ? 1 : 0) || (coupled_ && !at_rest_)) {
         return 0;
+    }
+    if (!signals.force && !following) {
+        return most;
     }
     for (std::size_t n = 0; n < most; ++n) {
         if (taken(signals.force, from + n, kGreatestForce) != 0.0 ||

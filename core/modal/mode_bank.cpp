@@ -79,6 +79,13 @@ double ModeBank::swing(std::span<const Push> pushes, std::span<const double> phi
     return loops_->swing(moving_modes(), phi.data());
 }
 
+double ModeBank::touch(double force, std::span<const double> phi, const Weights& weights,
+                       double& reading) noexcept {
+    moving_ = padded();
+    return loops_->touch(all_modes(), force, phi.data(), weights.q.data(), weights.y.data(),
+                         reading);
+}
+
 ModeBank::Swung ModeBank::swing_about(std::span<const Push> pushes, std::span<const double> phi,
                                       std::span<const double> weights,
                                       std::span<double> middle) noexcept {

@@ -67,6 +67,9 @@ class ModeBank {
     /// What forces during the sample just swung have added, then one more sample without a force.
     /// Answers sum phi q then.
     double swing(std::span<const Push> pushes, std::span<const double> phi) noexcept;
+    /// A push by phi, swing(phi), and what `weights` then read, in one pass.
+    double touch(double force, std::span<const double> phi, const Weights& weights,
+                 double& reading) noexcept;
     struct Swung {
         double displacement = 0.0;  ///< sum phi q [m]
         double moved = 0.0;         ///< sum middle (q after - q before)

@@ -33,6 +33,10 @@ struct ModeLoops {
     /// push(force, shares), then swing(phi), in one pass.
     double (*push_and_swing)(const Modes& bank, double force, const double* shares,
                              const double* phi);
+    /// push(force, phi), swing(phi), and reading = sum a q + b y then, in one pass: all that is
+    /// done in a sample in which one mallet touches.
+    double (*touch)(const Modes& bank, double force, const double* phi, const double* a,
+                    const double* b, double& reading);
     /// swing() that fills middle = weights (q before + q after), and sets
     /// moved = sum middle (q after - q before).
     double (*swing_about)(const Modes& bank, const double* phi, const double* weights,

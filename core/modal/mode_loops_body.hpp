@@ -138,6 +138,29 @@ double push_and_swing(const Modes& bank, double force, const double* shares, con
     return swing_once<true>(bank, force, shares, phi);
 }
 
+double touch(const Modes& bank, double force, const double* phi, const double* a, const double* b,
+             double& reading) {
+    Vector sums[kVectors] = {}, reads[kVectors] = {};
+    for (std::size_t k = 0; k < bank.size; k += kGroup) {
+        double* const at = record(bank, k);
+        for (std::size_t i = 0; i < kGroup; i += kWidth) {
+            const Vector shape = held(load(phi + k + i));
+            const Vector share = force * shape;
+            const Vector q = held(row(at, kQ, i) + row(at, kToQ, i) * share);
+            const Vector y = held(row(at, kY, i) + row(at, kToY, i) * share);
+            const Vector c = held(row(at, kCos, i)), s = held(row(at, kSin, i));
+            const Vector turned_q = c * q + s * y;
+            const Vector turned_y = c * y - s * q;
+            set_row(at, kQ, i, turned_q);
+            set_row(at, kY, i, turned_y);
+            sums[i / kWidth] += shape * turned_q;
+            reads[i / kWidth] += load(a + k + i) * turned_q + load(b + k + i) * turned_y;
+        }
+    }
+    reading = sum_of(reads);
+    return sum_of(sums);
+}
+
 double swing_about(const Modes& bank, const double* phi, const double* weights, double* middle,
                    double& moved) {
     Vector sums[kVectors] = {}, moves[kVectors] = {};
@@ -227,8 +250,8 @@ void ring(const Modes& bank, const double* weights_q, const double* weights_y, d
     }
 }
 
-constexpr ModeLoops kLoops{push,       swing, push_and_swing, swing_about, turn,
-                           turn_chunk, sum,   sum2,           read,        ring};
+constexpr ModeLoops kLoops{push,       swing, push_and_swing, touch, swing_about, turn,
+                           turn_chunk, sum,   sum2,           read,  ring};
 
 }  // namespace
 

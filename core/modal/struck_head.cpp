@@ -172,6 +172,7 @@ void StruckHead::lay(std::size_t i, const Hand& hand) {
 void StruckHead::listen(std::size_t i, const ModeBank::Weights& weights) {
     Pickup& pickup = pickups_.at(i);
     pickup.weights = weights;
+    early_.there = false;
     for (std::size_t p = 0; p < kPorts; ++p) {
         pickup.response[p] = ports_[p].used ? bank_.response(weights, ports_[p].phi) : 0.0;
     }
@@ -230,6 +231,7 @@ Values StruckHead::shapes(double r, double theta) const {
 
 ModeBank& StruckHead::bank() noexcept {
     apply_pushes();
+    early_.there = false;
     return bank_;
 }
 

@@ -47,6 +47,7 @@ struct Striker {
     double acceleration = 0.0;  ///< from all but the head, such as gravity and the hand [m/s^2]
     double force = 0.0;         ///< of the head on the striker, during the last sample [N]
     bool stuck = false;         ///< to a sticky head
+    double force_before = 0.0;  ///< in the sample before: where the next is sought from [N]
 };
 
 constexpr double kDriven = std::numeric_limits<double>::infinity();
@@ -133,6 +134,11 @@ class StruckHead {
         ModeBank::Weights weights;
         std::array<double, kPorts> response{};  ///< to 1 N at a port during one sample
     };
+    /// Of the first pickup, already read while the bank swung.
+    struct EarlyReading {
+        double value = 0.0;
+        bool there = false;
+    };
 
     void set_bank() noexcept;
     void refresh(bool other_shapes);
@@ -156,6 +162,7 @@ class StruckHead {
     // Displacement at one port that a force of 1 N at another makes within one sample [m/N].
     std::array<std::array<double, kPorts>, kPorts> compliance_{};
     std::array<Pickup, kMaxPickups> pickups_;
+    EarlyReading early_;
 
     // The linear contacts: hands' points, and the tension.
     std::array<Spring, kPorts> spring_{};  // by port

@@ -31,12 +31,17 @@ void StruckHead::step(std::span<Striker> strikers, double force) noexcept {
 /// To where the sample's end would be without the forces it is to find.
 void StruckHead::swing_freely(std::size_t strikers, double force) noexcept {
     const std::span pushes(pushes_.data(), push_count_);
+    early_.there = false;
     if (stretches_) {
         Port& tension = ports_[kTension];
         const auto swung = bank_.swing_about(pushes, ports_[0].phi, slope_weights_, tension.phi);
         ports_[0].free = swung.displacement;
         tension.displacement = 0.0;
         tension.free = swung.moved;
+    } else if (push_count_ == 1 && pushed_[0] == 0 && !pickups_[0].weights.q.empty()) {
+        ports_[0].free =
+            bank_.touch(pushes[0].force, ports_[0].phi, pickups_[0].weights, early_.value);
+        early_.there = true;
     } else {
         ports_[0].free = bank_.swing(pushes, ports_[0].phi);
     }
@@ -64,6 +69,7 @@ void StruckHead::push_at(std::size_t port, double force) noexcept {
 }
 
 void StruckHead::apply_pushes() noexcept {
+    early_.there = early_.there && push_count_ == 0;
     bank_.push({pushes_.data(), push_count_});
     push_count_ = 0;
 }
@@ -155,7 +161,12 @@ void StruckHead::find_forces(std::span<Striker> strikers) noexcept {
                 .duration = period_,
                 .rate = port.rate - striker.velocity,
                 .stuck = striker.stuck};
-            const double force = contact_force(striker.mallet, contact, striker.force);
+            const double guess =
+                sweep == 0 ? 2 * striker.force - striker.force_before : striker.force;
+            if (sweep == 0) {
+                striker.force_before = striker.force;
+            }
+            const double force = contact_force(striker.mallet, contact, std::max(guess, 0.0));
             change = std::max(change, std::abs(force - striker.force));
             greatest = std::max(greatest, std::abs(force));
             striker.force = force;
@@ -203,7 +214,7 @@ void StruckHead::answer(std::span<Striker> strikers) noexcept {
 
 double StruckHead::reading(std::size_t i) const noexcept {
     const Pickup& pickup = pickups_[i];
-    double value = bank_.reading(pickup.weights);
+    double value = i == 0 && early_.there ? early_.value : bank_.reading(pickup.weights);
     for (std::size_t n = 0; n < push_count_; ++n) {
         const std::size_t p = pushed_[n];
         const double response = p == kTension ? bank_.response(pickup.weights, ports_[kTension].phi)
