@@ -74,6 +74,7 @@ void StruckHead::become(Resonator resonator, long first) {
         port.phi.assign(bank_.padded(), 0.0);
     }
     slope_weights_.assign(bank_.padded(), 0.0);
+    pickups_.fill({});
     refresh(true);
 }
 

@@ -65,7 +65,8 @@ class StruckHead {
     /// velocity of each mode stay, so that nothing clicks. Throws std::invalid_argument and then
     /// changes nothing.
     bool retune(const Body& body, const Loss& loss);
-    /// Any other body: its mode k takes over from mode k + first (where there is one).
+    /// Any other body: its mode k takes over from mode k + first (where there is one). What is to
+    /// be heard has to be told anew, see listen().
     void become(Resonator resonator, long first);
 
     /// Where striker `i` (below kMaxStrikers) touches the head: r [m], theta [rad]. Also to be

@@ -214,6 +214,9 @@ void StruckHead::answer(std::span<Striker> strikers) noexcept {
 
 double StruckHead::reading(std::size_t i) const noexcept {
     const Pickup& pickup = pickups_[i];
+    if (pickup.weights.q.empty()) {
+        return 0.0;
+    }
     double value = i == 0 && early_.there ? early_.value : bank_.reading(pickup.weights);
     for (std::size_t n = 0; n < push_count_; ++n) {
         const std::size_t p = pushed_[n];

@@ -85,8 +85,7 @@ TEST_CASE("off a rigid wall, v - ln(1 + mu v) / mu is the same after as before")
             CHECK(b.rebound == doctest::Approx(wall_rebound(3.0, mu)).epsilon(1e-4));
         }
         for (const double stiffness : {1e5, 1e9}) {
-            const Bounce b =
-                bounce({.mass = 0.02, .stiffness = stiffness, .dissipation = mu}, 3.0);
+            const Bounce b = bounce({.mass = 0.02, .stiffness = stiffness, .dissipation = mu}, 3.0);
             CHECK(b.rebound == doctest::Approx(wall_rebound(3.0, mu)).epsilon(1e-4));
         }
     }
@@ -140,7 +139,8 @@ TEST_CASE("the linear contact is the solution of its equation, and as lossless")
     const Bounce b = bounce(linear, 3.0);
     CHECK(b.worst_energy_error < 1e-12);
     CHECK(b.duration ==
-          doctest::Approx(std::numbers::pi * std::sqrt(linear.mass / linear.stiffness)).epsilon(1e-3));
+          doctest::Approx(std::numbers::pi * std::sqrt(linear.mass / linear.stiffness))
+              .epsilon(1e-3));
     Mallet nearly = linear;
     nearly.exponent = 1.0000001;
     for (const double free : {1e-5, -1e-5, 3e-4}) {
