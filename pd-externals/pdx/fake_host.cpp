@@ -15,6 +15,7 @@ FakeHost::FakeHost(double sample_rate) {
     s.time = 0.0;
     s.errors.clear();
     s.posts.clear();
+    s.arrays.clear();
 }
 
 FakeHost::~FakeHost() {
@@ -168,6 +169,14 @@ void FakeHost::advance_to(double seconds) {
 
 double FakeHost::now() const {
     return state().time / kUnitsPerSecond;
+}
+
+void FakeHost::set_array(const std::string& name, const std::vector<double>& values) {
+    auto& words = state().arrays[name];
+    words.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        words[i].w_float = static_cast<t_float>(values[i]);
+    }
 }
 
 std::vector<std::string> FakeHost::errors() {

@@ -40,6 +40,7 @@ class FakeObject {
     const std::vector<Sample>& output(std::size_t i) const { return outputs_.at(i); }
     /// What the next blocks read at a signal inlet: a constant.
     void input(std::size_t i, Sample value) { inputs_.at(i) = value; }
+    std::size_t outputs() const { return outputs_.size(); }
 
   private:
     friend class FakeHost;
@@ -69,6 +70,9 @@ class FakeHost {
     void advance_to(double seconds);
     void run_tick();  ///< to the end of the current tick of 64 samples, with its signals
     double now() const;
+
+    /// An array of Pd.
+    void set_array(const std::string& name, const std::vector<double>& values);
 
     std::vector<std::string> errors();  ///< since the last call
     std::vector<std::string> posts();

@@ -112,6 +112,20 @@ t_inlet* signalinlet_new(t_object* owner, t_float) {
     return nullptr;
 }
 
+t_class* garray_class = nullptr;
+
+t_pd* pd_findbyclass(t_symbol* name, const t_class*) {
+    const auto found = state().arrays.find(name->s_name);
+    return found == state().arrays.end() ? nullptr : reinterpret_cast<t_pd*>(&found->second);
+}
+
+int garray_getfloatwords(t_garray* array, int* size, t_word** words) {
+    auto& values = *reinterpret_cast<std::vector<t_word>*>(array);
+    *size = static_cast<int>(values.size());
+    *words = values.data();
+    return 1;
+}
+
 void outlet_bang(t_outlet* outlet) {
     record(outlet, "bang", 0, nullptr);
 }

@@ -33,6 +33,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -86,6 +87,9 @@ class Object {
     Box& box_;
 };
 
+/// The values of an array of Pd. Throws std::invalid_argument if there is none of that name.
+std::vector<double> array_values(const char* name);
+
 /// Calls back at a logical time; destroyed, it does not.
 class Clock {
   public:
@@ -125,6 +129,8 @@ struct Description {
     std::vector<Message> messages;
     std::vector<Port> signal_inlets;  ///< the first also takes the messages
     std::vector<Port> outlets;
+    /// The last outlet is there as often as this creation argument says; none: once.
+    std::optional<std::size_t> last_outlets;
     std::function<std::unique_ptr<Object>(Box&, const Arguments&)> make;
 
     /// Name, creation arguments, messages with units, inlets and outlets, a line each.
@@ -154,6 +160,12 @@ class Describe : public Description {
     Describe& signal_outlet(std::string text) {
         outlets.push_back({true, std::move(text)});
         return *this;
+    }
+    /// The last outlets, all alike: as many as creation argument `argument` says (at most 16 in
+    /// all).
+    Describe& signal_outlets(std::string text, std::size_t argument) {
+        last_outlets = argument;
+        return signal_outlet(std::move(text));
     }
     Describe& outlet(std::string text) {
         outlets.push_back({false, std::move(text)});

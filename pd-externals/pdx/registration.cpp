@@ -98,8 +98,8 @@ void sort_signals(Box* box, t_signal** signals) noexcept {
         box->inputs[i] = signals[next++]->s_vec;
     }
     box->output_count = 0;
-    for (const auto& outlet : table.outlets) {
-        if (outlet.signal) {
+    for (std::size_t i = 0; i < box->outlet_count; ++i) {
+        if (port_of_outlet(box, i).signal) {
             box->outputs[box->output_count++] = signals[next++]->s_vec;
         }
     }
@@ -123,14 +123,18 @@ bool has_signals(const Description& table) {
                        [](const Port& outlet) { return outlet.signal; });
 }
 
-void make_ports(Box* box) {
+void make_ports(Box* box, const Arguments& creation) {
     const Description& table = box->known->table;
     for (std::size_t i = 1; i < table.signal_inlets.size(); ++i) {
         signalinlet_new(&box->header, 0);
     }
-    box->outlets = new t_outlet* [table.outlets.size()] {};
-    for (std::size_t i = 0; i < table.outlets.size(); ++i) {
-        box->outlets[i] = outlet_new(&box->header, table.outlets[i].signal ? &s_signal : nullptr);
+    const auto wanted = table.last_outlets ? creation.number(*table.last_outlets) : 1.0;
+    const std::size_t more = wanted > 1.0 ? static_cast<std::size_t>(wanted) - 1 : 0;
+    box->outlet_count = std::min(table.outlets.size() + more, kMaxSignals);
+    box->outlets = new t_outlet* [box->outlet_count] {};
+    for (std::size_t i = 0; i < box->outlet_count; ++i) {
+        const bool signal = port_of_outlet(box, i).signal;
+        box->outlets[i] = outlet_new(&box->header, signal ? &s_signal : nullptr);
     }
 }
 
@@ -144,11 +148,11 @@ void* create(t_symbol* typed_name, int count, t_atom* atoms) noexcept {
     auto* const box = reinterpret_cast<Box*>(pd_new(found->second.pd_class));
     box->known = &found->second;
     guarded(box, "", [&] {
-        make_ports(box);
         const Description& table = box->known->table;
         const auto given = from_pd(count, atoms);
-        box->object =
-            table.make(*box, check(table.creation_arguments, given, table.name)).release();
+        const Arguments creation = check(table.creation_arguments, given, table.name);
+        make_ports(box, creation);
+        box->object = table.make(*box, creation).release();
     });
     if (!box->object) {
         pd_free(reinterpret_cast<t_pd*>(box));

@@ -15,6 +15,10 @@ void add_render_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 /// samples: the drum's strokes as files, for the patches' sample voice.
 void add_samples_command(CLI::App& program);
+/// modes: modes measured from recordings, as a mode file, with a picture and a resynthesis.
+void add_modes_command(CLI::App& program);
+/// drum: the mode file of a drum computed from what it is made of, and strokes of it.
+void add_drum_command(CLI::App& program);
 /// bench: how fast the simulation is.
 void add_bench_command(CLI::App& program);
 
