@@ -25,7 +25,7 @@ files::Audio stroke_sound(double speed, int rate) {
     modal::ModalDrum drum(settings, rate);
     modal::Stroke stroke;
     stroke.velocity = speed;
-    stroke.r = 0.75 * settings.membrane.radius;
+    stroke.r = 0.75 * modal::Membrane{}.radius;
     stroke.theta = 2.81;
     drum.strike(0, stroke);
     files::Audio audio;
