@@ -1,4 +1,4 @@
-#include "physics-server/files/midi_file.hpp"
+#include "files/midi_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "physics-server/files/byte_reader.hpp"
-#include "physics-server/files/midi_header.hpp"
-#include "physics-server/files/midi_track.hpp"
+#include "files/byte_reader.hpp"
+#include "files/midi_header.hpp"
+#include "files/midi_track.hpp"
 
 namespace percussionist::files {
 

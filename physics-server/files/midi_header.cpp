@@ -1,4 +1,4 @@
-#include "physics-server/files/midi_header.hpp"
+#include "files/midi_header.hpp"
 
 namespace percussionist::files {
 

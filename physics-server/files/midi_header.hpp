@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/score/tempo_map.hpp"
-#include "physics-server/files/byte_reader.hpp"
+#include "files/byte_reader.hpp"
 
 namespace percussionist::files {
 

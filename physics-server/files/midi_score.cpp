@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "physics-server/files/midi_file.hpp"
+#include "files/midi_file.hpp"
 
 namespace percussionist::files {
 

@@ -1,4 +1,4 @@
-#include "physics-server/files/midi_track.hpp"
+#include "files/midi_track.hpp"
 
 #include <array>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "physics-server/files/byte_reader.hpp"
-#include "physics-server/files/midi_file.hpp"
+#include "files/byte_reader.hpp"
+#include "files/midi_file.hpp"
 
 namespace percussionist::files {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/score/stroke_plan.hpp"
-#include "physics-server/files/midi_file.hpp"
+#include "files/midi_file.hpp"
 
 using namespace percussionist;
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/score/stroke_plan.hpp"
-#include "physics-server/files/midi_file.hpp"
+#include "files/midi_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace percussionist;

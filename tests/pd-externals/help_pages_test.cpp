@@ -8,6 +8,7 @@
 #include "pdx/object.hpp"
 
 extern "C" void setup_modal0x2ddrum_tilde();
+extern "C" void setup_osc0x2dreceive();
 
 using namespace percussionist::pdx;
 
@@ -61,5 +62,9 @@ TEST_CASE("a help patch says what its object's table says") {
     if (!find_class("modal-drum~")) {
         setup_modal0x2ddrum_tilde();
     }
+    if (!find_class("osc-receive")) {
+        setup_osc0x2dreceive();
+    }
     check_page("modal-drum~");
+    check_page("osc-receive");
 }

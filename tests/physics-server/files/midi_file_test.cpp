@@ -1,4 +1,4 @@
-#include "physics-server/files/midi_file.hpp"
+#include "files/midi_file.hpp"
 
 #include <doctest/doctest.h>
 

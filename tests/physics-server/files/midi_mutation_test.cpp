@@ -4,7 +4,7 @@
 #include <random>
 
 #include "core/score/stroke_plan.hpp"
-#include "physics-server/files/midi_file.hpp"
+#include "files/midi_file.hpp"
 #include "support/midi_writer.hpp"
 #include "support/plan_laws.hpp"
 

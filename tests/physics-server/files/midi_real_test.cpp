@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/score/stroke_plan.hpp"
-#include "physics-server/files/midi_file.hpp"
+#include "files/midi_file.hpp"
 #include "support/plan_laws.hpp"
 #include "support/real_data.hpp"
 

@@ -1,4 +1,4 @@
-#include "physics-server/files/wav_file.hpp"
+#include "files/wav_file.hpp"
 
 #include <doctest/doctest.h>
 

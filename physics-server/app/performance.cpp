@@ -1,0 +1,58 @@
+#include "app/performance.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace percussionist::app {
+
+namespace {
+
+/// How long the drum is given to ring after the last stroke [s].
+constexpr double kRingOut = 2.5;
+
+}  // namespace
+
+void Performance::load(std::vector<score::Stroke> strokes) {
+    player_.load(std::move(strokes));
+    performing_ = false;
+}
+
+void Performance::play() {
+    log_.clear();
+    player_.play();
+    performing_ = true;
+}
+
+void Performance::stop() {
+    player_.stop();
+    performing_ = false;
+}
+
+const std::vector<LoggedContact>& Performance::step() {
+    player_.advance();
+    events_.clear();
+    contacts_.clear();
+    simulation_.step(events_);
+    if (!simulation_.sane()) {
+        throw std::runtime_error("the simulated body went astray at " +
+                                 std::to_string(simulation_.time()) + " s");
+    }
+    for (const sim::ContactEvent& event : events_) {
+        const Asked* cause = player_.cause(event);
+        LoggedContact contact{event, sequence_++, -1, 0.0, 0.0};
+        if (cause != nullptr) {
+            contact.stroke = static_cast<int>(cause->stroke);
+            contact.asked_time = cause->time;
+            contact.asked_speed = player_.strokes()[cause->stroke].speed;
+        }
+        log_.add(contact);
+        contacts_.push_back(contact);
+    }
+    if (performing_ && !player_.playing() &&
+        simulation_.time() >= player_.last_impact() + kRingOut) {
+        performing_ = false;
+    }
+    return contacts_;
+}
+
+}  // namespace percussionist::app

@@ -1,0 +1,26 @@
+// From a file to the strokes of two hands, with what was left out and why, in words.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/score/stroke_plan.hpp"
+
+namespace percussionist::app {
+
+struct LoadedScore {
+    std::string title;
+    std::size_t notes = 0;
+    std::vector<score::Stroke> strokes;
+    std::vector<std::string> remarks;  ///< warnings of the reader, each note left out
+};
+
+/// The built-in score if `path` is empty. Throws files::MidiError.
+LoadedScore load_score(const std::filesystem::path& path);
+
+/// The file `name` inside `folder`, or an error: std::runtime_error if it lies outside or is not
+/// there. An empty name, or "built-in", is the built-in score (an empty path).
+std::filesystem::path score_in_folder(const std::filesystem::path& folder, const std::string& name);
+
+}  // namespace percussionist::app

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/real_time.hpp"
+#include "app/route_file.hpp"
+#include "app/server.hpp"
+#include "app/simulation_flags.hpp"
+
+namespace percussionist::app {
+
+namespace {
+
+std::atomic<bool> g_stop{false};
+
+void ask_to_stop(int) {
+    g_stop = true;
+}
+
+void serve(const ServeOptions& options) {
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    SystemClock clock;
+    Server server(options, clock);
+    fmt::print("listening on {} port {}\n", options.endpoint.listen, server.port());
+    std::fflush(stdout);
+    ask_for_real_time();
+    server.run(g_stop);
+    fmt::print("{}late steps         {}\n", describe(server.performance().summary()),
+               server.late_steps());
+}
+
+}  // namespace
+
+void add_serve_command(CLI::App& program) {
+    auto options = std::make_shared<ServeOptions>();
+    auto routes = std::make_shared<std::filesystem::path>();
+    CLI::App& command = *program.add_subcommand(
+        "serve", "simulate in real time; hear and tell over OSC (docs/osc-protocol.md)");
+    command.add_option("score", options->score, "a Standard MIDI File; none: the built-in piece");
+    command
+        .add_option("--listen", options->endpoint.listen,
+                    "address to listen on; 0.0.0.0 for every network of this machine")
+        ->capture_default_str();
+    command.add_option("--port", options->endpoint.port, "UDP port to listen on; 0: any free one")
+        ->check(CLI::Range(0, 65535))
+        ->capture_default_str();
+    command
+        .add_option("--lookahead", options->endpoint.lookahead,
+                    "between a contact and its sound: time for the network [s]")
+        ->check(CLI::Range(0.015, 2.0))
+        ->capture_default_str();
+    command.add_option("--allow", options->endpoint.allow,
+                       "hosts that others may have events sent to, besides this one and their own");
+    command.add_option("--routes", *routes, "file of routes from the start");
+    command
+        .add_option("--scores", options->score_folder,
+                    "folder that /score may read from and /route/save write to")
+        ->default_str(".");
+    command.add_flag("--play", options->play, "play at once, without waiting for /play");
+    command.add_flag("--quit-at-end", options->quit_at_end, "end when the score has rung out");
+    command.add_option("--log", options->log_folder, "folder for contacts.csv, written at the end");
+    add_simulation_flags(command, options->simulation);
+    command.callback([options, routes] {
+        if (!routes->empty()) options->endpoint.routes = read_routes(*routes);
+        if (options->score_folder.empty()) options->score_folder = ".";
+        serve(*options);
+    });
+}
+
+}  // namespace percussionist::app

@@ -1,0 +1,231 @@
+#include "app/server.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+
+#include "app/route_file.hpp"
+
+namespace percussionist::app {
+
+namespace {
+
+/// A step this much behind the clock counts as late [s].
+constexpr double kLate = 0.005;
+/// Behind by more than this, simulated time pauses rather than rushes [s].
+constexpr double kGiveUp = 0.5;
+constexpr double kPoseInterval = 1.0 / 60.0;
+constexpr double kStatusInterval = 1.0;
+
+template <std::size_t N>
+std::array<float, N> floats(const linear::Vector3& v) {
+    std::array<float, N> out{};
+    for (std::size_t i = 0; i < N; ++i) out[i] = static_cast<float>(v[static_cast<int>(i)]);
+    return out;
+}
+
+}  // namespace
+
+Server::Server(const ServeOptions& options, WallClock& clock)
+    : options_(options),
+      clock_(clock),
+      performance_(options.simulation),
+      endpoint_(options.endpoint, [&clock] { return clock.now(); }) {
+    use(load_score(options.score));
+}
+
+void Server::use(LoadedScore loaded) {
+    for (const std::string& remark : loaded.remarks) fmt::print(stderr, "{}\n", remark);
+    fmt::print("score: {}: {} of {} notes as strokes\n", loaded.title, loaded.strokes.size(),
+               loaded.notes);
+    std::fflush(stdout);
+    performance_.load(std::move(loaded.strokes));
+}
+
+void Server::run(const std::atomic<bool>& stop) {
+    start_ = clock_.now();
+    if (options_.play) performance_.play();
+    while (!stop && !ended_) {
+        for (const osc::Command& command : endpoint_.take_commands()) obey(command);
+        take_loaded_score();
+        catch_up(clock_.now());
+        clock_.sleep_until(wall(next_step_end()));
+    }
+    write_log();
+}
+
+void Server::write_log() const {
+    if (options_.log_folder.empty()) return;
+    std::filesystem::create_directories(options_.log_folder);
+    performance_.log().write_csv(options_.log_folder / "contacts.csv");
+}
+
+void Server::catch_up(double now) {
+    const double behind = now - wall(next_step_end());
+    if (behind > kGiveUp) {
+        start_ += behind;
+        fmt::print(stderr, "held up for {:.2f} s: simulated time paused\n", behind);
+    }
+    while (wall(next_step_end()) <= now) {
+        if (now - wall(next_step_end()) > kLate) ++late_steps_;
+        step();
+    }
+    busy_ += clock_.now() - now;
+}
+
+double Server::next_step_end() const {
+    const sim::Simulation& simulation = performance_.simulation();
+    return simulation.time() + simulation.step_length();
+}
+
+void Server::step() {
+    const bool playing = performance_.playing();
+    for (const LoggedContact& contact : performance_.step()) tell_contact(contact);
+    for (const Asked& given : performance_.player().given()) tell_strike(given);
+    const double time = performance_.simulation().time();
+    if (time >= next_pose_) tell_pose();
+    if (time >= next_status_) {
+        tell_scene();
+        tell_status();
+    }
+    if (playing && !performance_.playing()) tell_finished();
+}
+
+void Server::obey(const osc::Command& command) {
+    if (std::holds_alternative<osc::Play>(command)) {
+        performance_.play();
+    } else if (std::holds_alternative<osc::Stop>(command)) {
+        performance_.stop();
+    } else if (const auto* tempo = std::get_if<osc::Tempo>(&command)) {
+        performance_.set_tempo(tempo->factor);
+    } else if (const auto* score = std::get_if<osc::LoadScore>(&command)) {
+        begin_loading(*score);
+    } else if (const auto* save = std::get_if<osc::SaveRoutes>(&command)) {
+        save_routes(*save);
+    }
+}
+
+void Server::begin_loading(const osc::LoadScore& wish) {
+    if (loading_.valid()) {
+        endpoint_.answer(wish.asker, "/error", {"/score", "another score is being read"});
+        return;
+    }
+    // Reading a file takes longer than a step: another thread does it.
+    loading_ = std::async(std::launch::async, [this, wish] {
+        try {
+            LoadedScore loaded = load_score(score_in_folder(options_.score_folder, wish.path));
+            endpoint_.answer(wish.asker, "/reply",
+                             {"/score", fmt::format("{}: {} of {} notes", loaded.title,
+                                                    loaded.strokes.size(), loaded.notes)});
+            return loaded;
+        } catch (const std::exception& error) {
+            endpoint_.answer(wish.asker, "/error", {"/score", error.what()});
+            throw;
+        }
+    });
+}
+
+void Server::save_routes(const osc::SaveRoutes& wish) {
+    saving_ = std::async(std::launch::async, [this, wish] {
+        try {
+            write_routes(options_.score_folder, wish.file, endpoint_.routes());
+            endpoint_.answer(wish.asker, "/reply", {"/route/save", wish.file + ".routes"});
+        } catch (const std::exception& error) {
+            endpoint_.answer(wish.asker, "/error", {"/route/save", error.what()});
+        }
+    });
+}
+
+void Server::take_loaded_score() {
+    if (!loading_.valid() ||
+        loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        return;
+    }
+    try {
+        use(loading_.get());
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}\n", error.what());  // what was loaded before plays on
+    }
+}
+
+void Server::tell_contact(const LoggedContact& contact) {
+    const sim::ContactEvent& c = contact.event;
+    osc::ContactMessage m;
+    m.sequence = contact.sequence;
+    m.hand = static_cast<int>(c.hand);
+    m.drum = c.drum;
+    m.stroke = contact.stroke;
+    m.wall = wall(c.instant);
+    m.instant = c.instant;
+    m.place = floats<2>(c.place);
+    m.velocity = floats<3>(c.velocity);
+    m.force = floats<3>(c.peak_force);
+    m.impulse = static_cast<float>(c.impulse);
+    m.duration = static_cast<float>(c.duration);
+    m.mass = static_cast<float>(c.effective_mass);
+    m.recontact = c.recontact;
+    endpoint_.tell(m);
+}
+
+void Server::tell_strike(const Asked& given) {
+    const score::Stroke& stroke = performance_.player().strokes()[given.stroke];
+    const double now = performance_.simulation().time();
+    endpoint_.tell(osc::StrikeMessage{wall(now), stroke.hand, static_cast<int>(given.stroke),
+                                      static_cast<float>(given.time - now),
+                                      static_cast<float>(stroke.speed),
+                                      static_cast<float>(stroke.height)});
+}
+
+void Server::tell_pose() {
+    next_pose_ += kPoseInterval;
+    osc::PoseMessage pose;
+    const sim::Simulation& simulation = performance_.simulation();
+    pose.wall = wall(simulation.time());
+    const body::Placement& placement = simulation.placement();
+    for (int i = 0; i < simulation.skeleton().size(); ++i) {
+        const linear::Quaternion& q = placement.orientation[i];
+        pose.bodies.push_back({simulation.skeleton().segments[i].name,
+                               floats<3>(placement.com[i]),
+                               {static_cast<float>(q.w()), static_cast<float>(q.x()),
+                                static_cast<float>(q.y()), static_cast<float>(q.z())}});
+    }
+    endpoint_.tell(std::move(pose));
+}
+
+void Server::tell_scene() {
+    const sim::Simulation& simulation = performance_.simulation();
+    osc::SceneMessage scene;
+    scene.wall = wall(simulation.time());
+    for (const body::Segment& s : simulation.skeleton().segments) {
+        const linear::Vector3 middle = 0.5 * (s.joint_rest + s.end_rest) - s.com_rest;
+        scene.bodies.push_back({s.name, floats<3>(middle), floats<3>(s.size)});
+    }
+    scene.drums.push_back({0, floats<3>(simulation.head_centre()),
+                           static_cast<float>(options_.simulation.head.membrane.radius)});
+    endpoint_.tell(std::move(scene));
+}
+
+void Server::tell_status() {
+    next_status_ += kStatusInterval;
+    const double time = performance_.simulation().time();
+    osc::StatusMessage status;
+    status.wall = wall(time);
+    status.time = time;
+    status.load = static_cast<float>(busy_ / kStatusInterval);
+    status.late_steps = late_steps_;
+    status.strokes = performance_.player().asked();
+    status.contacts = static_cast<int>(performance_.log().contacts().size());
+    busy_ = 0.0;
+    endpoint_.tell(status);
+}
+
+void Server::tell_finished() {
+    const TimingSummary summary = performance_.summary();
+    endpoint_.tell(osc::FinishedMessage{wall(performance_.simulation().time()), summary.strokes,
+                                        summary.contacts});
+    ended_ = options_.quit_at_end;
+}
+
+}  // namespace percussionist::app

@@ -1,0 +1,191 @@
+#include "body/stroke_path.hpp"
+
+#include <algorithm>
+
+namespace percussionist::body {
+
+namespace {
+
+/// A quintic that comes to rest from speed v (or starts from rest) within T covers v T / 2 if its
+/// speed is not to overshoot; played strokes peak at 1.2 to 1.4 times their speed at the impact
+/// (docs/body.md), which this share of v T gives.
+constexpr double kShare = 1.0 / 1.7;
+/// Below this time between strokes the tip swings from one to the next in a single arc [s].
+constexpr double kSingleArc = 0.30;
+/// A rebound comes to rest within this time, or at this height if it would rise higher [s], [m].
+constexpr double kReboundTime = 0.25;
+constexpr double kHighestRebound = 0.42;
+/// From the top of a rebound to the waiting height, and from there to the raised stick [s].
+constexpr double kSinkTime = 0.40;
+constexpr double kRaiseTime = 0.35;
+/// In a rise shorter than this the hand need not catch up with the tip [s].
+constexpr double kShortRise = 0.1;
+/// How much of the tip's movement the hand makes.
+constexpr double kHandShare = 0.45;
+constexpr double kHandSpeedShare = 0.10;
+constexpr double kForever = 1e9;
+
+}  // namespace
+
+Quintic::Quintic(double t0, const PathState& a, double t1, const PathState& b)
+    : start_(t0), end_(t1) {
+    const double T = t1 - t0;
+    const double T2 = T * T;
+    const double dx = b.position - a.position - a.velocity * T - 0.5 * a.acceleration * T2;
+    const double dv = (b.velocity - a.velocity - a.acceleration * T) * T;
+    const double da = (b.acceleration - a.acceleration) * T2;
+    c_[0] = a.position;
+    c_[1] = a.velocity;
+    c_[2] = 0.5 * a.acceleration;
+    c_[3] = (10.0 * dx - 4.0 * dv + 0.5 * da) / (T2 * T);
+    c_[4] = (-15.0 * dx + 7.0 * dv - da) / (T2 * T2);
+    c_[5] = (6.0 * dx - 3.0 * dv + 0.5 * da) / (T2 * T2 * T);
+}
+
+PathState Quintic::at(double t) const {
+    const double u = t - start_;
+    PathState s;
+    s.position = c_[0] + u * (c_[1] + u * (c_[2] + u * (c_[3] + u * (c_[4] + u * c_[5]))));
+    s.velocity = c_[1] + u * (2 * c_[2] + u * (3 * c_[3] + u * (4 * c_[4] + u * 5 * c_[5])));
+    s.acceleration = 2 * c_[2] + u * (6 * c_[3] + u * (12 * c_[4] + u * 20 * c_[5]));
+    return s;
+}
+
+double Quintic::top() const {
+    constexpr int kParts = 24;
+    const double step = (end_ - start_) / kParts;
+    for (int i = 0; i < kParts; ++i) {
+        double low = start_ + i * step;
+        double high = low + step;
+        if (!(at(low).velocity > 0.0 && at(high).velocity <= 0.0)) continue;
+        for (int halving = 0; halving < 30; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (at(middle).velocity > 0.0 ? low : high) = middle;
+        }
+        return low;
+    }
+    return end_;
+}
+
+void StrokePath::Track::add(double t0, const PathState& a, double t1, const PathState& b) {
+    if (t1 - t0 < 1e-9 || count_ == static_cast<int>(pieces_.size())) return;
+    pieces_[count_++] = Quintic(t0, a, t1, b);
+}
+
+PathState StrokePath::Track::at(double t) const {
+    int i = 0;
+    while (i + 1 < count_ && t >= pieces_[i].end()) ++i;
+    return pieces_[i].at(t);
+}
+
+StrokePath::StrokePath(double now) {
+    const PathState waiting{kWaitingHeight, 0.0, 0.0};
+    tip_.add(now, waiting, now + kForever, waiting);
+    const PathState hand{kHandShare * kWaitingHeight, 0.0, 0.0};
+    hand_.add(now, hand, now + kForever, hand);
+}
+
+PathState StrokePath::tip(double t) const {
+    return tip_.at(t);
+}
+PathState StrokePath::hand(double t) const {
+    return hand_.at(t);
+}
+
+double StrokePath::free_from(double now) const {
+    if (next_.holds(now)) return next_.leaves;
+    return last_.holds(now) ? last_.leaves : now;
+}
+
+StrokePath::Pen StrokePath::cut(double now) {
+    const double start = free_from(now);
+    const Pen pen{start, tip_.at(start), hand_.at(start)};
+    const PathState tip_now = tip_.at(now);
+    const PathState hand_now = hand_.at(now);
+    tip_.restart();
+    hand_.restart();
+    // A dip under way stays: a quintic through two states of a quintic is that quintic.
+    tip_.add(now, tip_now, start, pen.tip);
+    hand_.add(now, hand_now, start, pen.hand);
+    return pen;
+}
+
+void StrokePath::draw(Pen& pen, double t, const PathState& tip, const PathState& hand) {
+    tip_.add(pen.time, pen.tip, t, tip);
+    const Quintic flight(pen.time, pen.tip, t, tip);
+    const double top = flight.top();
+    const double height = flight.at(top).position;
+    constexpr double kLowest = 0.01;  // of a top that is one [m]
+    PathState between = pen.hand;
+    double at = pen.time;
+    if (top < t && top > at && height > std::max(pen.tip.position, tip.position) + kLowest) {
+        // Where the tip flies over a top the hand goes with it.
+        between = {kHandShare * height, 0.0, 0.0};
+        at = top;
+    } else if (pen.tip.velocity > 0.0 && t - at > kShortRise) {
+        // Thrown up by the head the tip is fast at first; the hand catches up with it.
+        at += (t - at) / 3.0;
+        const PathState rising = flight.at(at);
+        between = {kHandShare * rising.position, kHandShare * rising.velocity,
+                   kHandShare * rising.acceleration};
+    }
+    hand_.add(pen.time, pen.hand, at, between);
+    hand_.add(at, between, t, hand);
+    pen = {t, tip, hand};
+}
+
+void StrokePath::draw_rest(Pen& pen, double t, double height) {
+    draw(pen, t, {height, 0.0, 0.0}, {kHandShare * height, 0.0, 0.0});
+}
+
+void StrokePath::rebound(Pen& pen) {
+    const double speed = pen.tip.velocity;
+    if (speed <= 0.0) return;
+    const double time = std::min(kReboundTime, kHighestRebound / (kShare * speed));
+    draw_rest(pen, pen.time + time, pen.tip.position + kShare * speed * time);
+}
+
+void StrokePath::wait(Pen& pen) {
+    rebound(pen);
+    draw_rest(pen, pen.time + kSinkTime, kWaitingHeight);
+    draw_rest(pen, pen.time + kForever, kWaitingHeight);
+}
+
+void StrokePath::rest(double now) {
+    Pen pen = cut(now);
+    if (aiming(now)) next_ = {};
+    wait(pen);
+}
+
+bool StrokePath::aim(double now, const Aim& aim) {
+    if (aim.time - free_from(now) < kShortestAim) return false;
+    Pen pen = cut(now);
+    if (aim.time - pen.time >= kSingleArc) raise(pen, aim);
+    strike(pen, aim);
+    wait(pen);
+    if (!aiming(now)) last_ = next_;
+    next_ = {aim.time, aim.time + aim.rebound.duration};
+    return true;
+}
+
+void StrokePath::raise(Pen& pen, const Aim& aim) {
+    const double down = std::min(aim.height / (kShare * aim.speed), 0.5 * (aim.time - pen.time));
+    const double raised = aim.time - down;
+    if (raised - pen.time > kReboundTime + kSinkTime + kRaiseTime) {
+        rebound(pen);
+        draw_rest(pen, pen.time + kSinkTime, kWaitingHeight);
+        draw_rest(pen, raised - kRaiseTime, kWaitingHeight);
+    } else if (raised - pen.time > kReboundTime + kRaiseTime) {
+        rebound(pen);
+    }
+    draw_rest(pen, raised, kShare * aim.speed * down);
+}
+
+void StrokePath::strike(Pen& pen, const Aim& aim) {
+    const double hand_speed = kHandSpeedShare * aim.speed;
+    draw(pen, aim.time, {0.0, -aim.speed, 0.0}, {0.0, -hand_speed, 0.0});
+    draw(pen, aim.time + aim.rebound.duration, {0.0, aim.rebound.speed, 0.0},
+         {-hand_speed * aim.rebound.duration, -hand_speed, 0.0});
+}
+
+}  // namespace percussionist::body

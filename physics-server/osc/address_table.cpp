@@ -1,0 +1,187 @@
+#include "osc/address_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace percussionist::osc {
+
+namespace {
+
+double number(std::span<const Argument> arguments, std::size_t index) {
+    return std::get<double>(arguments[index]);
+}
+
+std::string text(std::span<const Argument> arguments, std::size_t index,
+                 const std::string& otherwise) {
+    return index < arguments.size() ? std::get<std::string>(arguments[index]) : otherwise;
+}
+
+/// The words from `first` on as one line.
+std::string line(std::span<const Argument> arguments, std::size_t first) {
+    std::string text;
+    for (const Argument& a : arguments.subspan(first)) {
+        const auto* number = std::get_if<double>(&a);
+        text += number != nullptr ? fmt::format("{} ", *number) : std::get<std::string>(a) + ' ';
+    }
+    return text;
+}
+
+std::string port_text(double port) {
+    return std::to_string(static_cast<int>(port));
+}
+
+Feed feed(const std::string& name) {
+    if (name == "pose") return Feed::pose;
+    return name == "all" ? Feed::all : Feed::sound;
+}
+
+constexpr Parameter kPort{"PORT", "", false, true, 1, 65535};
+constexpr Parameter kNumber{"NUMBER", "", false, true, 1, 1e9};
+constexpr Parameter kRoute{"ROUTE", "", true, true, 0, 0, true};
+
+std::vector<Address> make_table() {
+    using Arguments = std::span<const Argument>;
+    return {
+        {"/play",
+         "play the score from its beginning",
+         {},
+         [](Arguments, const Peer&) -> Command { return Play{}; }},
+        {"/stop",
+         "stop playing and let the sticks rest",
+         {},
+         [](Arguments, const Peer&) -> Command { return Stop{}; }},
+        {"/tempo",
+         "how fast, as a multiple of the score's own tempo; at once",
+         {{"FACTOR", "", false, true, 0.1, 10.0}},
+         [](Arguments a, const Peer&) -> Command { return Tempo{number(a, 0)}; }},
+        {"/score",
+         "load a Standard MIDI File from the server's score folder, or built-in",
+         {{"FILE", "", true, true}},
+         [](Arguments a, const Peer& from) -> Command {
+             return LoadScore{text(a, 0, ""), from};
+         }},
+        {"/subscribe",
+         "send events to PORT of the asker or of HOST; FEED is sound (contacts, clock, status), "
+         "pose or all",
+         {kPort, {"FEED", "", true, false}, {"HOST", "", true, false}},
+         [](Arguments a, const Peer& from) -> Command {
+             return Subscribe{
+                 {text(a, 2, from.host), port_text(number(a, 0))}, from, feed(text(a, 1, "sound"))};
+         }},
+        {"/unsubscribe",
+         "send no more to PORT of the asker or of HOST",
+         {kPort, {"HOST", "", true, false}},
+         [](Arguments a, const Peer& from) -> Command {
+             return Unsubscribe{{text(a, 1, from.host), port_text(number(a, 0))}};
+         }},
+        {"/route/add",
+         "send an event on: EVENT to HOST:PORT ADDRESS FIELD... when FIELD LEAST MOST; answered by "
+         "its number",
+         {kRoute},
+         [](Arguments a, const Peer& from) -> Command {
+             return AddRoute{line(a, 0), from};
+         }},
+        {"/route/change",
+         "another route in place of one",
+         {kNumber, kRoute},
+         [](Arguments a, const Peer& from) -> Command {
+             return ChangeRoute{static_cast<int>(number(a, 0)), line(a, 1), from};
+         }},
+        {"/route/remove",
+         "no longer this route",
+         {kNumber},
+         [](Arguments a, const Peer& from) -> Command {
+             return RemoveRoute{static_cast<int>(number(a, 0)), from};
+         }},
+        {"/route/list",
+         "answered by the routes, a /route each: number and line",
+         {},
+         [](Arguments, const Peer& from) -> Command { return ListRoutes{from}; }},
+        {"/route/save",
+         "write the routes to FILE.routes in the server's folder",
+         {{"FILE", "", true, true}},
+         [](Arguments a, const Peer& from) -> Command {
+             return SaveRoutes{text(a, 0, ""), from};
+         }},
+        {"/ping",
+         "answered by /pong to the asker",
+         {},
+         [](Arguments, const Peer& from) -> Command { return Ping{from}; }},
+        {"/describe",
+         "answered by this table, a /description each",
+         {},
+         [](Arguments, const Peer& from) -> Command { return Describe{from}; }},
+    };
+}
+
+std::string wrong(const Parameter& p, const Argument& got) {
+    const std::string shown = std::holds_alternative<double>(got)
+                                  ? fmt::format("{:g}", std::get<double>(got))
+                                  : '\'' + std::get<std::string>(got) + '\'';
+    if (p.text) return fmt::format("{}: expected a text, got {}", p.name, shown);
+    return fmt::format("{}: expected a number from {:g} to {:g}{}{}, got {}", p.name, p.least,
+                       p.most, *p.unit != '\0' ? " " : "", p.unit, shown);
+}
+
+bool fits(const Parameter& p, const Argument& got) {
+    if (p.text) return std::holds_alternative<std::string>(got);
+    const double* value = std::get_if<double>(&got);
+    return value != nullptr && *value >= p.least && *value <= p.most;
+}
+
+/// The first thing wrong with the arguments; empty if nothing is.
+std::string fault(const Address& address, std::span<const Argument> arguments) {
+    std::size_t required = 0;
+    for (const Parameter& p : address.parameters) required += p.required ? 1 : 0;
+    const bool open = !address.parameters.empty() && address.parameters.back().rest;
+    if (arguments.size() < required || (!open && arguments.size() > address.parameters.size())) {
+        return fmt::format("expected {}, got {} argument{}", usage(address), arguments.size(),
+                           arguments.size() == 1 ? "" : "s");
+    }
+    for (std::size_t i = 0; i < std::min(arguments.size(), address.parameters.size()); ++i) {
+        if (address.parameters[i].rest) break;
+        if (!fits(address.parameters[i], arguments[i])) {
+            return wrong(address.parameters[i], arguments[i]);
+        }
+        if (address.parameters[i].name == std::string("FEED")) {
+            const auto& name = std::get<std::string>(arguments[i]);
+            if (name != "sound" && name != "pose" && name != "all") {
+                return "FEED: expected sound, pose or all, got '" + name + "'";
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+const std::vector<Address>& address_table() {
+    static const std::vector<Address> table = make_table();
+    return table;
+}
+
+std::string usage(const Address& address) {
+    std::string line = address.path;
+    for (const Parameter& p : address.parameters) {
+        line += p.required ? fmt::format(" {}", p.name) : fmt::format(" [{}]", p.name);
+        if (p.rest) line += "...";
+        if (!p.text && p.most > p.least) line += fmt::format(" ({:g} to {:g})", p.least, p.most);
+    }
+    return line;
+}
+
+std::variant<Command, Refusal> understand(const std::string& path,
+                                          std::span<const Argument> arguments, const Peer& sender) {
+    for (const Address& address : address_table()) {
+        if (path != address.path) continue;
+        const std::string reason = fault(address, arguments);
+        if (!reason.empty()) return Refusal{path, reason};
+        return address.make(arguments, sender);
+    }
+    return Refusal{path, "no such address; /describe lists them"};
+}
+
+}  // namespace percussionist::osc

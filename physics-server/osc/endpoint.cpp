@@ -1,0 +1,281 @@
+#include "osc/endpoint.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace percussionist::osc {
+
+namespace {
+
+/// How many events ride along: with them a packet still fits one Ethernet frame.
+constexpr std::size_t kRideAlong = 7;
+/// How often a contact is sent again, evenly over the lookahead that is left after it was known.
+constexpr int kRepeats = 4;
+constexpr double kRepeatShare = 1.0 / 8.0;
+constexpr double kClockInterval = 0.01;
+/// Commands not yet taken beyond this many are refused: memory is bounded.
+constexpr std::size_t kMostCommands = 256;
+
+}  // namespace
+
+Endpoint::Endpoint(const EndpointOptions& options, std::function<double()> wall)
+    : options_(options), wall_(std::move(wall)), socket_(options.listen, options.port) {
+    for (const std::string& host : options.allow) {
+        allowed_.push_back(UdpSocket::resolve(host, "1").sin_addr.s_addr);
+    }
+    for (const std::string& line : options.routes) {
+        const Route route = parse_route(line);
+        audience_.add_route(route, UdpSocket::resolve(route.to.host, route.to.port));
+    }
+    hearing_ = std::thread([this] { hear(); });
+    sending_ = std::thread([this] { send_loop(); });
+}
+
+Endpoint::~Endpoint() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    wake_.notify_all();
+    hearing_.join();
+    sending_.join();
+}
+
+void Endpoint::tell(Outgoing message) {
+    {
+        const std::lock_guard lock(mutex_);
+        outgoing_.push_back(std::move(message));
+    }
+    wake_.notify_one();
+}
+
+std::vector<Command> Endpoint::take_commands() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(commands_, {});
+}
+
+void Endpoint::hear() {
+    std::array<char, 65536> buffer;
+    constexpr int kCheckStopping = 50;
+    while (true) {
+        const auto received = socket_.receive(buffer, kCheckStopping);
+        {
+            const std::lock_guard lock(mutex_);
+            if (stopping_) return;
+        }
+        drop_dead();
+        if (!received) continue;
+        const Peer sender = UdpSocket::peer(received->from);
+        const auto message = [&](const std::string& path, std::span<const Argument> arguments) {
+            const auto said = understand(path, arguments, sender);
+            if (const auto* refusal = std::get_if<Refusal>(&said)) {
+                refuse(*refusal, sender);
+            } else if (const auto& command = std::get<Command>(said); !handled(command)) {
+                const std::lock_guard lock(mutex_);
+                if (commands_.size() < kMostCommands) commands_.push_back(command);
+            }
+        };
+        if (!decode({buffer.data(), received->size}, message)) {
+            refuse({"packet", "expected an OSC message or bundle"}, sender);
+        }
+    }
+}
+
+bool Endpoint::handled(const Command& command) {
+    return std::visit(
+        [this](const auto& wish) {
+            constexpr bool own = requires {
+                handle(wish);
+            };
+            if constexpr (own) handle(wish);
+            return own;
+        },
+        command);
+}
+
+sockaddr_in Endpoint::allowed_target(const Peer& to, const Peer& asker) const {
+    const sockaddr_in target = UdpSocket::resolve(to.host, to.port);
+    const in_addr_t host = target.sin_addr.s_addr;
+    constexpr std::uint32_t kLoopback = 127;
+    const bool allowed = ntohl(host) >> 24U == kLoopback ||
+                         host == UdpSocket::resolve(asker.host, asker.port).sin_addr.s_addr ||
+                         std::find(allowed_.begin(), allowed_.end(), host) != allowed_.end();
+    if (!allowed) {
+        throw std::runtime_error(to.host +
+                                 ": not allowed; expected this machine, the asker's, or a "
+                                 "host given with --allow");
+    }
+    return target;
+}
+
+void Endpoint::handle(const Subscribe& wish) {
+    try {
+        audience_.subscribe(allowed_target(wish.peer, wish.asker), wish.feed, wall_());
+    } catch (const std::runtime_error& error) {
+        refuse({"/subscribe", error.what()}, wish.asker);
+    }
+}
+
+void Endpoint::handle(const Unsubscribe& wish) {
+    try {
+        audience_.unsubscribe(UdpSocket::resolve(wish.peer.host, wish.peer.port));
+    } catch (const std::runtime_error&) {
+        // A name that cannot be looked up is nobody's: nothing to remove.
+    }
+}
+
+void Endpoint::handle(const AddRoute& wish) {
+    try {
+        const Route route = parse_route(wish.line);
+        const int number = audience_.add_route(route, allowed_target(route.to, wish.asker));
+        answer(wish.asker, "/route", {std::to_string(number), to_string(route)});
+    } catch (const std::exception& error) {
+        refuse({"/route/add", error.what()}, wish.asker);
+    }
+}
+
+void Endpoint::handle(const ChangeRoute& wish) {
+    try {
+        const Route route = parse_route(wish.line);
+        if (!audience_.change_route(wish.number, route, allowed_target(route.to, wish.asker))) {
+            throw std::runtime_error("no route " + std::to_string(wish.number));
+        }
+        answer(wish.asker, "/route", {std::to_string(wish.number), to_string(route)});
+    } catch (const std::exception& error) {
+        refuse({"/route/change", error.what()}, wish.asker);
+    }
+}
+
+void Endpoint::handle(const RemoveRoute& wish) {
+    const std::string number = std::to_string(wish.number);
+    if (audience_.remove_route(wish.number)) {
+        answer(wish.asker, "/reply", {"/route/remove", number});
+    } else {
+        refuse({"/route/remove", "no route " + number}, wish.asker);
+    }
+}
+
+void Endpoint::handle(const ListRoutes& wish) {
+    for (const auto& [number, line] : audience_.routes()) {
+        answer(wish.asker, "/route", {std::to_string(number), line});
+    }
+}
+
+void Endpoint::handle(const Ping& wish) {
+    answer(wish.asker, "/pong", {});
+}
+
+void Endpoint::handle(const Describe& wish) {
+    for (const Address& address : address_table()) {
+        answer(wish.asker, "/description", {address.path, usage(address), address.description});
+    }
+}
+
+void Endpoint::drop_dead() {
+    while (const auto gone = socket_.unreachable()) {
+        if (!audience_.drop(*gone)) continue;
+        const Peer peer = UdpSocket::peer(*gone);
+        tell(DroppedMessage{peer.host, peer.port});
+    }
+    for (const Peer& peer : audience_.drop_silent(wall_())) {
+        tell(DroppedMessage{peer.host, peer.port});
+    }
+}
+
+void Endpoint::refuse(const Refusal& refusal, const Peer& sender) {
+    answer(sender, "/error", {refusal.address, refusal.reason});
+}
+
+void Endpoint::answer(const Peer& asker, const std::string& address,
+                      std::vector<std::string> texts) {
+    try {
+        socket_.send(encode_text(address, texts), UdpSocket::resolve(asker.host, asker.port));
+    } catch (const std::runtime_error&) {
+        // The asker's address came from its own packet; if it is gone there is nobody to tell.
+    }
+}
+
+void Endpoint::send_loop() {
+    next_clock_ = wall_();
+    while (true) {
+        std::deque<Outgoing> batch;
+        {
+            std::unique_lock lock(mutex_);
+            double due = next_clock_;
+            if (!repeats_.empty()) due = std::min(due, repeats_.front().wall);
+            const double wait = std::max(0.0, due - wall_());
+            wake_.wait_for(lock, std::chrono::duration<double>(wait),
+                           [this] { return stopping_ || !outgoing_.empty(); });
+            if (stopping_ && outgoing_.empty()) return;
+            batch.swap(outgoing_);
+        }
+        for (const Outgoing& message : batch) send(message);
+        send_due(wall_());
+    }
+}
+
+void Endpoint::send_due(double now) {
+    while (!repeats_.empty() && repeats_.front().wall <= now) {
+        broadcast(repeats_.front().packet, Feed::sound);
+        repeats_.pop_front();
+    }
+    if (now >= next_clock_) {
+        broadcast(encode_clock(now, options_.lookahead), Feed::sound);
+        next_clock_ = std::max(next_clock_ + kClockInterval, now);
+    }
+}
+
+void Endpoint::send_contact(const ContactMessage& contact) {
+    const std::vector<ContactMessage> earlier(recent_.begin(), recent_.end());
+    Packet packet = encode(contact, earlier, options_.lookahead);
+    broadcast(packet, Feed::sound);
+    const double now = wall_();
+    const double gap = kRepeatShare * options_.lookahead;
+    for (int i = 1; i <= kRepeats; ++i) repeats_.push_back({now + i * gap, packet});
+    std::sort(repeats_.begin(), repeats_.end(),
+              [](const Repeat& a, const Repeat& b) { return a.wall < b.wall; });
+    recent_.push_front(contact);
+    if (recent_.size() > kRideAlong) recent_.pop_back();
+}
+
+void Endpoint::send(const Outgoing& message) {
+    const double lookahead = options_.lookahead;
+    if (const auto* contact = std::get_if<ContactMessage>(&message)) {
+        send_contact(*contact);
+        send_routed(event_of(*contact));
+    } else if (const auto* strike = std::get_if<StrikeMessage>(&message)) {
+        send_routed(event_of(*strike));
+    } else if (const auto* pose = std::get_if<PoseMessage>(&message)) {
+        broadcast(encode(*pose, lookahead), Feed::pose);
+        if (!audience_.wanted(EventKind::pose)) return;
+        for (const BodyPose& body : pose->bodies) send_routed(event_of(body, pose->wall));
+    } else if (const auto* scene = std::get_if<SceneMessage>(&message)) {
+        broadcast(encode(*scene, lookahead), Feed::pose);
+    } else if (const auto* status = std::get_if<StatusMessage>(&message)) {
+        broadcast(encode(*status, subscribers(), lookahead), Feed::all);
+        send_routed(event_of(*status));
+    } else if (const auto* finished = std::get_if<FinishedMessage>(&message)) {
+        broadcast(encode(*finished, lookahead), Feed::all);
+    } else {
+        broadcast(encode(std::get<DroppedMessage>(message)), Feed::all);
+    }
+}
+
+void Endpoint::send_routed(const Event& event) {
+    audience_.route(event, [&](const Route& route, const sockaddr_in& to) {
+        const std::vector<Argument> values = arguments(route, event);
+        socket_.send(encode_routed(route.address, values, event.wall + options_.lookahead), to);
+    });
+}
+
+void Endpoint::broadcast(const Packet& packet, Feed feed) {
+    Audience::Addresses to;
+    const std::size_t count = audience_.listeners(feed, to);
+    for (std::size_t i = 0; i < count; ++i) socket_.send(packet, to[i]);
+}
+
+}  // namespace percussionist::osc

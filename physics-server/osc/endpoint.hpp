@@ -1,0 +1,97 @@
+// The server's end of the wire: a thread that hears commands, a thread that tells subscribers.
+//
+// The simulating thread calls tell() and take_commands(); neither waits for a socket (a call of
+// send costs tens of microseconds) nor for a name to be looked up. Losing packets loses no stroke:
+// every contact is sent again a few times within the lookahead, and the last few ride along with
+// each.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "osc/audience.hpp"
+#include "osc/outgoing.hpp"
+#include "osc/udp_socket.hpp"
+#include "osc/wire.hpp"
+
+namespace percussionist::osc {
+
+struct EndpointOptions {
+    std::string listen = "127.0.0.1";  ///< address to bind to
+    int port = 7770;
+    double lookahead = 0.030;  ///< [s]
+    /// Hosts that may be sent to at another's wish; always allowed are this machine and who asks.
+    std::vector<std::string> allow;
+    std::vector<std::string> routes;  ///< from the start, as lines of text
+};
+
+class Endpoint {
+  public:
+    /// Both threads start here. `wall` reads the server's steady wall clock [s]; called from the
+    /// sending thread. Throws std::runtime_error if the port cannot be had.
+    Endpoint(const EndpointOptions& options, std::function<double()> wall);
+    ~Endpoint();
+
+    [[nodiscard]] int port() const { return socket_.port(); }
+    [[nodiscard]] int subscribers() const { return audience_.subscribers(); }
+    [[nodiscard]] std::vector<std::pair<int, std::string>> routes() const {
+        return audience_.routes();
+    }
+
+    /// Hands a message to the sending thread. Any thread; may take memory, waits for no I/O.
+    void tell(Outgoing message);
+    /// A question's answer, to the asker alone.
+    void answer(const Peer& asker, const std::string& address, std::vector<std::string> texts);
+    /// What has been asked for since the last call, in order. Simulating thread.
+    std::vector<Command> take_commands();
+
+  private:
+    struct Repeat {
+        double wall;
+        Packet packet;
+    };
+    void hear();
+    bool handled(const Command& command);
+    void handle(const Subscribe& wish);
+    void handle(const Unsubscribe& wish);
+    void handle(const AddRoute& wish);
+    void handle(const ChangeRoute& wish);
+    void handle(const RemoveRoute& wish);
+    void handle(const ListRoutes& wish);
+    void handle(const Ping& wish);
+    void handle(const Describe& wish);
+    [[nodiscard]] sockaddr_in allowed_target(const Peer& to, const Peer& asker) const;
+    void drop_dead();
+    void refuse(const Refusal& refusal, const Peer& sender);
+    void send_loop();
+    void send_contact(const ContactMessage& contact);
+    void send_due(double now);
+    void send(const Outgoing& message);
+    void send_routed(const Event& event);
+    void broadcast(const Packet& packet, Feed feed);
+
+    EndpointOptions options_;
+    std::function<double()> wall_;
+    UdpSocket socket_;
+    std::vector<in_addr_t> allowed_;  ///< numeric, of options.allow
+    Audience audience_;
+
+    mutable std::mutex mutex_;  ///< guards all below but what the sending thread alone uses
+    std::condition_variable wake_;
+    std::vector<Command> commands_;
+    std::deque<Outgoing> outgoing_;
+    bool stopping_ = false;
+
+    std::deque<ContactMessage> recent_;  ///< sending thread: newest first
+    std::deque<Repeat> repeats_;         ///< sending thread
+    double next_clock_ = 0.0;            ///< sending thread
+
+    std::thread hearing_, sending_;
+};
+
+}  // namespace percussionist::osc

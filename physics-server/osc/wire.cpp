@@ -1,0 +1,234 @@
+#include "osc/wire.hpp"
+
+#include <lo/lo.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+namespace percussionist::osc {
+
+namespace {
+
+/// NTP time, what OSC tags carry, counts from 1900.
+constexpr double kSecondsTo1970 = 2208988800.0;
+
+lo_timetag time_tag(double wall) {
+    const double whole = std::floor(wall);
+    return {static_cast<std::uint32_t>(whole + kSecondsTo1970),
+            static_cast<std::uint32_t>((wall - whole) * 4294967296.0)};
+}
+
+struct BundleFree {
+    void operator()(void* bundle) const { lo_bundle_free_recursive(bundle); }
+};
+using Bundle = std::unique_ptr<std::remove_pointer_t<lo_bundle>, BundleFree>;
+
+Bundle make_bundle(double wall) {
+    return Bundle(lo_bundle_new(time_tag(wall)));
+}
+
+Packet serialise(const Bundle& bundle) {
+    std::size_t size = lo_bundle_length(bundle.get());
+    Packet packet(size);
+    lo_bundle_serialise(bundle.get(), packet.data(), &size);
+    return packet;
+}
+
+void add(lo_message message, float value) {
+    lo_message_add_float(message, value);
+}
+void add(lo_message message, double value) {
+    lo_message_add_double(message, value);
+}
+void add(lo_message message, std::int32_t value) {
+    lo_message_add_int32(message, value);
+}
+void add(lo_message message, const std::string& value) {
+    lo_message_add_string(message, value.c_str());
+}
+
+template <class... Values>
+lo_message make_message(const Values&... values) {
+    lo_message message = lo_message_new();
+    (add(message, values), ...);
+    return message;
+}
+
+/// Numbers become floats.
+lo_message make_message_of(std::span<const Argument> arguments) {
+    lo_message message = lo_message_new();
+    for (const Argument& argument : arguments) {
+        if (const auto* text = std::get_if<std::string>(&argument)) {
+            add(message, *text);
+        } else {
+            add(message, static_cast<float>(std::get<double>(argument)));
+        }
+    }
+    return message;
+}
+
+Bundle contact_bundle(const ContactMessage& c, double lookahead) {
+    Bundle bundle = make_bundle(c.wall + lookahead);
+    const float r = std::hypot(c.place[0], c.place[1]);
+    const float theta = std::atan2(c.place[1], c.place[0]);
+    lo_bundle_add_message(bundle.get(), "/contact",
+                          make_message(c.sequence, c.hand, c.drum, c.stroke, c.instant, c.place[0],
+                                       c.place[1], r, theta, c.velocity[0], c.velocity[1],
+                                       c.velocity[2], c.force[0], c.force[1], c.force[2], c.impulse,
+                                       c.duration, c.mass, static_cast<std::int32_t>(c.recontact)));
+    return bundle;
+}
+
+template <class... Values>
+Packet one_message(double tag, const char* address, const Values&... values) {
+    Bundle bundle = make_bundle(tag);
+    lo_bundle_add_message(bundle.get(), address, make_message(values...));
+    return serialise(bundle);
+}
+
+/// The value of one argument; numbers of all types become double.
+Argument argument(char type, lo_arg* value) {
+    switch (type) {
+        case LO_INT32:
+            return static_cast<double>(value->i);
+        case LO_INT64:
+            return static_cast<double>(value->h);
+        case LO_FLOAT:
+            return static_cast<double>(value->f);
+        case LO_DOUBLE:
+            return value->d;
+        case LO_STRING:
+            return std::string(&value->s);
+        case LO_SYMBOL:
+            return std::string(&value->S);
+        case LO_TRUE:
+            return 1.0;
+        case LO_FALSE:
+            return 0.0;
+        default:
+            return std::string(1, type);
+    }
+}
+
+using Heard = std::function<void(const std::string&, std::span<const Argument>)>;
+
+bool decode_message(std::span<const char> bytes, const Heard& heard) {
+    // liblo wants a terminated address before it looks at anything else.
+    const void* end = std::memchr(bytes.data(), '\0', bytes.size());
+    if (bytes.empty() || bytes[0] != '/' || end == nullptr) return false;
+    std::vector<char> copy(bytes.begin(), bytes.end());
+    int error = 0;
+    lo_message message = lo_message_deserialise(copy.data(), copy.size(), &error);
+    if (message == nullptr) return false;
+    std::vector<Argument> arguments;
+    const char* types = lo_message_get_types(message);
+    lo_arg** values = lo_message_get_argv(message);
+    for (int i = 0; i < lo_message_get_argc(message); ++i) {
+        arguments.push_back(argument(types[i], values[i]));
+    }
+    heard(copy.data(), arguments);
+    lo_message_free(message);
+    return true;
+}
+
+bool decode_element(std::span<const char> bytes, const Heard& heard, int depth) {
+    constexpr int kDeepest = 4;
+    constexpr std::size_t kHeader = 16;
+    const bool bundle = bytes.size() >= 8 && std::memcmp(bytes.data(), "#bundle", 8) == 0;
+    if (!bundle) return decode_message(bytes, heard);
+    if (depth == kDeepest || bytes.size() < kHeader) return false;
+    bytes = bytes.subspan(kHeader);
+    while (!bytes.empty()) {
+        if (bytes.size() < 4) return false;
+        std::size_t size = 0;
+        for (int i = 0; i < 4; ++i) size = size << 8 | static_cast<unsigned char>(bytes[i]);
+        bytes = bytes.subspan(4);
+        if (size > bytes.size()) return false;
+        if (!decode_element(bytes.first(size), heard, depth + 1)) return false;
+        bytes = bytes.subspan(size);
+    }
+    return true;
+}
+
+}  // namespace
+
+Packet encode(const ContactMessage& contact, std::span<const ContactMessage> earlier,
+              double lookahead) {
+    Bundle bundle = contact_bundle(contact, lookahead);
+    for (const ContactMessage& c : earlier) {
+        lo_bundle_add_bundle(bundle.get(), contact_bundle(c, lookahead).release());
+    }
+    return serialise(bundle);
+}
+
+Packet encode(const PoseMessage& pose, double lookahead) {
+    Bundle bundle = make_bundle(pose.wall + lookahead);
+    for (const BodyPose& b : pose.bodies) {
+        lo_bundle_add_message(
+            bundle.get(), "/pose",
+            make_message(b.name, b.position[0], b.position[1], b.position[2], b.orientation[0],
+                         b.orientation[1], b.orientation[2], b.orientation[3]));
+    }
+    return serialise(bundle);
+}
+
+Packet encode(const SceneMessage& scene, double lookahead) {
+    Bundle bundle = make_bundle(scene.wall + lookahead);
+    for (const BodyShape& b : scene.bodies) {
+        lo_bundle_add_message(bundle.get(), "/body",
+                              make_message(b.name, b.middle[0], b.middle[1], b.middle[2], b.size[0],
+                                           b.size[1], b.size[2]));
+    }
+    for (const DrumShape& d : scene.drums) {
+        lo_bundle_add_message(
+            bundle.get(), "/drum",
+            make_message(d.drum, d.middle[0], d.middle[1], d.middle[2], d.radius));
+    }
+    return serialise(bundle);
+}
+
+Packet encode(const StatusMessage& s, int subscribers, double lookahead) {
+    return one_message(s.wall + lookahead, "/status", s.time, s.load, s.late_steps, s.strokes,
+                       s.contacts, static_cast<std::int32_t>(subscribers));
+}
+
+Packet encode(const FinishedMessage& f, double lookahead) {
+    return one_message(f.wall + lookahead, "/finished", f.strokes, f.contacts);
+}
+
+Packet encode(const DroppedMessage& d) {
+    const std::string texts[] = {d.host, d.port};
+    return encode_text("/dropped", texts);
+}
+
+Packet encode_routed(const std::string& address, std::span<const Argument> arguments, double tag) {
+    Bundle bundle = make_bundle(tag);
+    lo_bundle_add_message(bundle.get(), address.c_str(), make_message_of(arguments));
+    return serialise(bundle);
+}
+
+Packet encode_clock(double wall, double lookahead) {
+    return one_message(wall + lookahead, "/clock", static_cast<float>(lookahead));
+}
+
+Packet encode_text(const std::string& address, std::span<const std::string> texts) {
+    const std::vector<Argument> arguments(texts.begin(), texts.end());
+    return encode_message(address, arguments);
+}
+
+Packet encode_message(const std::string& address, std::span<const Argument> arguments) {
+    lo_message message = make_message_of(arguments);
+    std::size_t size = lo_message_length(message, address.c_str());
+    Packet packet(size);
+    lo_message_serialise(message, address.c_str(), packet.data(), &size);
+    lo_message_free(message);
+    return packet;
+}
+
+bool decode(std::span<const char> bytes, const Heard& heard) {
+    return decode_element(bytes, heard, 0);
+}
+
+}  // namespace percussionist::osc

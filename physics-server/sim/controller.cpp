@@ -1,0 +1,161 @@
+#include "sim/controller.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace percussionist::sim {
+
+using body::Hand;
+using body::Segment;
+using body::Skeleton;
+using linear::quaternion_log;
+
+namespace {
+
+/// Beyond its limits a joint is pushed back at this frequency [Hz].
+constexpr double kStopFrequency = 40.0;
+
+/// The largest moment of inertia, about joint `i`, of all that hangs on it at rest.
+double hanging_inertia(const Skeleton& skeleton, int i) {
+    double inertia = 0.0;
+    for (int k = i; k < skeleton.size(); ++k) {
+        if (!skeleton.moves(i, k)) continue;
+        const Segment& s = skeleton.segments[k];
+        const double distance2 = (s.com_rest - skeleton.segments[i].joint_rest).squaredNorm();
+        inertia += s.mass * distance2 + s.inertia.maxCoeff();
+    }
+    return inertia;
+}
+
+/// The reduced inertia, by axis, of a joint whose two sides turn freely against each other.
+Vector3 reduced_inertia(const Skeleton& skeleton, int i) {
+    const Segment& s = skeleton.segments[i];
+    const Vector3 d = s.com_rest - s.joint_rest;
+    const Vector3 own =
+        s.inertia + s.mass * (d.squaredNorm() * Vector3::Ones() - d.cwiseProduct(d));
+    if (s.parent <= 0) return own;
+    const Vector3 above = skeleton.segments[s.parent].inertia;
+    return (own.cwiseInverse() + above.cwiseInverse()).cwiseInverse();
+}
+
+}  // namespace
+
+Target::Target(const Skeleton& skeleton)
+    : before(skeleton),
+      now(skeleton),
+      after(skeleton),
+      placed_before(skeleton),
+      placed_now(skeleton),
+      placed_after(skeleton) {}
+
+void Target::advance() {
+    std::swap(before, now);
+    std::swap(placed_before, placed_now);
+    now = after;
+    placed_now = placed_after;
+}
+
+Controller::Controller(OdeBody& body, const ControlOptions& options, double h)
+    : body_(body),
+      options_(options),
+      h_(h),
+      resistance_(body.skeleton().segments.size(), 0.0),
+      hand_of_grip_(body.skeleton().segments.size(), -1),
+      acceleration_(body.skeleton()),
+      torques_(body.skeleton().segments.size(), Vector3::Zero()) {
+    const Skeleton& skeleton = body.skeleton();
+    inertia_.resize(skeleton.segments.size(), 0.0);
+    own_inertia_.resize(skeleton.segments.size(), Vector3::Zero());
+    for (int i = 1; i < skeleton.size(); ++i) {
+        inertia_[i] = hanging_inertia(skeleton, i);
+        own_inertia_[i] = reduced_inertia(skeleton, i);
+    }
+    for (const Hand hand : {Hand::left, Hand::right}) {
+        hand_of_grip_[skeleton.stick_index(hand)] = static_cast<int>(hand);
+    }
+}
+
+Controller::Gains Controller::gains(int joint, double frequency) const {
+    const double w = 2.0 * std::numbers::pi * frequency;
+    return {inertia_[joint] * w * w, 2.0 * inertia_[joint] * w};
+}
+
+double Controller::frequency(int joint, const Target& target) const {
+    const int hand = hand_of_grip_[joint];
+    if (hand < 0) return options_.frequency;
+    return target.loose[hand] ? options_.contact_frequency : options_.grip_frequency;
+}
+
+void Controller::apply(const Target& target) {
+    if (options_.law == Law::implicit) {
+        feed_forward(target);
+        for (int i = 1; i < body_.skeleton().size(); ++i) apply_implicit(i, target);
+    } else {
+        for (int i = 1; i < body_.skeleton().size(); ++i) apply_paper(i, target);
+    }
+}
+
+void Controller::feed_forward(const Target& target) {
+    if (!target.in_head) {
+        central_difference(body_.skeleton(), target.placed_before, target.placed_now,
+                           target.placed_after, h_, acceleration_);
+    }
+    joint_torques(body_.skeleton(), target.placed_now, acceleration_, torques_);
+    for (int i = 1; i < body_.skeleton().size(); ++i) {
+        // From the frame of the target's parent to that of the parent as it is.
+        const int parent = body_.skeleton().segments[i].parent;
+        const Quaternion turn =
+            orientation(body_.segment(parent)) * target.placed_now.orientation[parent].conjugate();
+        const double limit = body_.skeleton().segments[i].torque_limit;
+        body_.add_joint_torque(i, (turn * torques_[i]).cwiseMax(-limit).cwiseMin(limit));
+    }
+}
+
+void Controller::apply_implicit(int joint, const Target& target) {
+    const Segment& s = body_.skeleton().segments[joint];
+    const Quaternion above = orientation(body_.parent(joint));
+    const Quaternion relative = above.conjugate() * orientation(body_.segment(joint));
+    const Quaternion allowed = body::clamp(relative, s.limits);
+    const bool stopped = allowed.angularDistance(relative) > 1e-3;
+
+    const Quaternion& wanted = stopped ? allowed : target.now.joints[joint];
+    const Vector3 error = above * quaternion_log(wanted * relative.conjugate());
+    Vector3 rate = Vector3::Zero();
+    if (!stopped) {
+        rate =
+            above *
+            (quaternion_log(target.after.joints[joint] * target.before.joints[joint].conjugate()) /
+             (2.0 * h_));
+    }
+    const Gains g = gains(joint, stopped ? kStopFrequency : frequency(joint, target));
+    const double softness = 1.0 / (h_ * g.kp + g.kd);
+    const Vector3 speed = g.kp * softness * error + rate;
+    const double most = stopped ? dInfinity : s.torque_limit;
+    for (int a = 0; a < 3; ++a) {
+        const int group = a * dParamGroup;
+        dJointSetAMotorParam(body_.motor(joint), dParamFMax + group, most);
+        dJointSetAMotorParam(body_.motor(joint), dParamCFM + group, softness);
+        dJointSetAMotorParam(body_.motor(joint), dParamVel + group, speed[a]);
+    }
+    resistance_[joint] = h_ * g.kd + h_ * h_ * g.kp;
+}
+
+void Controller::apply_paper(int joint, const Target& target) {
+    const Segment& s = body_.skeleton().segments[joint];
+    const Quaternion above = orientation(body_.parent(joint));
+    const Quaternion here = orientation(body_.segment(joint));
+    const Quaternion relative = above.conjugate() * here;
+    const Vector3 error = here.conjugate() *
+                          (above * quaternion_log(target.now.joints[joint] * relative.conjugate()));
+    const Vector3 rate = here.conjugate() * (angular_velocity(body_.segment(joint)) -
+                                             angular_velocity(body_.parent(joint)));
+    const double w = 2.0 * std::numbers::pi * options_.paper_frequency;
+    const Vector3 torque = own_inertia_[joint].cwiseProduct(w * w * error - 2.0 * w * rate);
+    body_.add_joint_torque(joint, here * torque.cwiseMax(-s.torque_limit).cwiseMin(s.torque_limit));
+    for (int a = 0; a < 3; ++a) {
+        dJointSetAMotorParam(body_.motor(joint), dParamFMax + a * dParamGroup, 0.0);
+    }
+    resistance_[joint] = 0.0;
+}
+
+}  // namespace percussionist::sim

@@ -1,0 +1,82 @@
+// The muscles: what turns a target posture into torques.
+//
+// Ours is a proportional-derivative law solved implicitly by ODE together with the joints,
+//     tau = kp e(t + h) + kd (w_target - w)(t + h),
+// as an angular motor with CFM = 1 / (h kp + kd) and velocity kp e / (h kp + kd) + w_target: exact,
+// and stable at any gain. Gains come from the inertia of what hangs on the joint:
+// kp = I (2 pi f)^2, kd = 2 I 2 pi f (critical damping). To it is added the torque that inverse
+// dynamics forecasts, so that the gain has only errors to mend. A joint beyond its limits is held
+// by a stop that no torque limit weakens.
+//
+// The law of the papers (Bouenard, Gibet, Wanderley 2009, equation 1), tau = ks e - kd w applied
+// explicitly, is kept to compare with. Applied so it is stable only for low gains; they are scaled
+// by the joint's smaller side.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "body/inverse_dynamics.hpp"
+#include "body/posture.hpp"
+#include "sim/ode_body.hpp"
+
+namespace percussionist::sim {
+
+enum class Law { implicit, paper };
+
+struct ControlOptions {
+    Law law = Law::implicit;
+    double frequency = 20.0;         ///< of every joint but the grip [Hz]
+    double grip_frequency = 20.0;    ///< of the grip in free air [Hz]
+    double contact_frequency = 6.0;  ///< of the grip about a contact: a loose hand [Hz]
+    double paper_frequency = 5.0;    ///< of every joint under the law of the papers [Hz]
+};
+
+/// The motion asked for: the targets one step before, at and one step after the present.
+struct Target {
+    body::Posture before, now, after;
+    body::Placement placed_before, placed_now, placed_after;
+    /// Whether a stick is forecast to be in the head: then its path bends by the head's force, not
+    /// by the muscles', and the forecast of torques holds its last value.
+    bool in_head = false;
+    std::array<bool, 2> loose{};  ///< by Hand: whether its grip is to be loose
+    explicit Target(const body::Skeleton& skeleton);
+    /// Moves on by a step: now becomes before, after becomes now; after is to be filled anew.
+    void advance();
+};
+
+class Controller {
+  public:
+    Controller(OdeBody& body, const ControlOptions& options, double h);
+
+    /// Sets motors and adds torques for the step to come. No allocation.
+    void apply(const Target& target);
+
+    /// How much each joint resists an impulse within the coming step, h kd + h^2 kp [kg m^2].
+    [[nodiscard]] const std::vector<double>& resistance() const { return resistance_; }
+
+    void set_law(Law law) { options_.law = law; }
+    [[nodiscard]] const ControlOptions& options() const { return options_; }
+
+  private:
+    struct Gains {
+        double kp, kd;
+    };
+    [[nodiscard]] Gains gains(int joint, double frequency) const;
+    [[nodiscard]] double frequency(int joint, const Target& target) const;
+    void apply_implicit(int joint, const Target& target);
+    void apply_paper(int joint, const Target& target);
+    void feed_forward(const Target& target);
+
+    OdeBody& body_;
+    ControlOptions options_;
+    double h_;
+    std::vector<double> inertia_;       ///< of what hangs on a joint, its largest moment [kg m^2]
+    std::vector<Vector3> own_inertia_;  ///< of the lighter side of a joint, by axis [kg m^2]
+    std::vector<double> resistance_;
+    std::vector<int> hand_of_grip_;  ///< -1 for a joint that is no grip
+    body::Acceleration acceleration_;
+    std::vector<Vector3> torques_;  ///< forecast, world frame of the target
+};
+
+}  // namespace percussionist::sim

@@ -1,0 +1,157 @@
+#include "sim/simulation.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace percussionist::sim {
+
+using body::Hand;
+
+namespace {
+
+constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
+constexpr int index(Hand hand) {
+    return static_cast<int>(hand);
+}
+
+/// The hand is this much above the tip when the tip meets the head [m].
+constexpr double kHandAboveTip = 0.035;
+/// A raised tip comes back towards the player by this times its height squared [1/m].
+constexpr double kArc = 0.5;
+/// The grip is loose from this long before a contact to this long after [s].
+constexpr double kLooseBefore = 0.004;
+constexpr double kLooseAfter = 0.010;
+/// Iterations with which inverse kinematics finds the first posture.
+constexpr int kSettling = 60;
+
+double checked_rate(double rate) {
+    if (!(rate >= 250.0 && rate <= 4000.0)) {
+        throw std::invalid_argument("simulation: rate: expected 250 to 4000 Hz, got " +
+                                    std::to_string(rate));
+    }
+    return rate;
+}
+
+}  // namespace
+
+Simulation::Simulation(const SimulationOptions& options)
+    : options_(options),
+      h_(1.0 / checked_rate(options.rate)),
+      skeleton_(body::make_skeleton(options.person)),
+      kinematics_(skeleton_),
+      tip_mass_{body::TipMass(skeleton_, Hand::left), body::TipMass(skeleton_, Hand::right)},
+      target_(skeleton_),
+      solution_(skeleton_),
+      solved_(skeleton_),
+      actual_(skeleton_),
+      bare_(skeleton_.segments.size(), 0.0) {
+    body_ = std::make_unique<OdeBody>(skeleton_, world_);
+    controller_ = std::make_unique<Controller>(*body_, options.control, h_);
+    head_ = std::make_unique<Drumhead>(options.head, h_);
+
+    // The sticks meet the head side by side, at the same distance from its middle.
+    const double apart = 0.5 * options.strikes_apart;
+    const double radius = options.strike_radius * options.head.membrane.radius;
+    const double reach_x =
+        0.5 * (skeleton_.tip_rest(Hand::left).x() + skeleton_.tip_rest(Hand::right).x());
+    head_centre_ = {reach_x + std::sqrt(std::max(0.0, radius * radius - apart * apart)), 0.0,
+                    options.head_height};
+    for (const Hand hand : kHands) {
+        places_[index(hand)] = {reach_x, hand == Hand::left ? apart : -apart, options.head_height};
+        last_velocity_[index(hand)].setZero();
+    }
+
+    const body::ArmTargets targets{arm_target(Hand::left, 0.0), arm_target(Hand::right, 0.0)};
+    for (int i = 0; i < kSettling; ++i) kinematics_.solve(targets, solution_, solved_);
+    target_.before = target_.now = target_.after = solution_;
+    target_.placed_before = target_.placed_now = target_.placed_after = solved_;
+    body_->place(solved_);
+    body_->read(actual_);
+
+    const double mass = tip_mass_[0](actual_, Vector3::UnitZ(), bare_);
+    forecast_ = std::make_unique<ImpactForecast>(options.head, h_, mass, places_[0] - head_centre_);
+}
+
+Vector3 Simulation::tip(Hand hand) const {
+    const Vector3 ball = Vector3::UnitZ() * skeleton_.stick.tip_radius;
+    return body_->tip_position(hand) - ball - places_[index(hand)];
+}
+
+Vector3 Simulation::tip_target(Hand hand) const {
+    const Vector3 ball = Vector3::UnitZ() * skeleton_.stick.tip_radius;
+    return target_.placed_now.tip(skeleton_, hand) - ball - places_[index(hand)];
+}
+
+bool Simulation::strike(Hand hand, double time, double speed, double height) {
+    return own_path(hand).aim(frontier(), {time, speed, height, forecast_->rebound(speed)});
+}
+
+body::ArmTarget Simulation::arm_target(Hand hand, double t) const {
+    const double height = path(hand).tip(t).position;
+    const double raised = std::max(0.0, height);
+    body::ArmTarget target;
+    target.tip = places_[index(hand)];
+    target.tip.x() -= kArc * raised * raised;
+    target.tip.z() += skeleton_.stick.tip_radius + height;
+    target.grip_height = options_.head_height + skeleton_.stick.tip_radius + kHandAboveTip +
+                         path(hand).hand(t).position;
+    return target;
+}
+
+void Simulation::fill_target(double t) {
+    const body::ArmTargets targets{arm_target(Hand::left, t), arm_target(Hand::right, t)};
+    kinematics_.solve(targets, solution_, solved_);
+    target_.after = solution_;
+    target_.placed_after = solved_;
+}
+
+void Simulation::mark_contacts() {
+    target_.in_head = false;
+    for (const Hand hand : kHands) {
+        const body::StrokePath& p = path(hand);
+        const auto in_head = [&](double offset) { return p.in_head(time() + offset); };
+        target_.in_head = target_.in_head || in_head(-h_) || in_head(0.0) || in_head(h_);
+        target_.loose[index(hand)] = in_head(0.0) || in_head(kLooseBefore) ||
+                                     in_head(-kLooseAfter) || in_head(-0.5 * kLooseAfter);
+    }
+}
+
+TouchingTip Simulation::touching_tip(Hand hand) {
+    const int i = index(hand);
+    const Vector3 velocity = body_->tip_velocity(hand);
+    const Vector3 place = body_->tip_position(hand) - head_centre_;
+    TouchingTip t;
+    t.place = place;
+    t.place.z() -= skeleton_.stick.tip_radius;
+    t.velocity = velocity;
+    if (head_->near(t)) {
+        t.mass = tip_mass_[i](actual_, Vector3::UnitZ(), controller_->resistance());
+        t.bare_mass = tip_mass_[i](actual_, Vector3::UnitZ(), bare_);
+        // What moves the tip besides the head: its last change of velocity less the head's part.
+        constexpr double kMost = 200.0;
+        const double change = velocity.z() - last_velocity_[i].z() - last_impulse_[i] / t.mass;
+        t.acceleration = std::clamp(change / h_, -kMost, kMost);
+    }
+    last_velocity_[i] = velocity;
+    return t;
+}
+
+void Simulation::step(std::vector<ContactEvent>& contacts) {
+    fill_target(time() + h_);
+    mark_contacts();
+    controller_->apply(target_);
+
+    const std::array<TouchingTip, 2> tips{touching_tip(Hand::left), touching_tip(Hand::right)};
+    last_impulse_ = head_->step(time(), tips, contacts);
+    for (const Hand hand : kHands) {
+        const double impulse = last_impulse_[index(hand)];
+        if (impulse != 0.0) body_->add_tip_force(hand, {0.0, 0.0, impulse / h_});
+    }
+    world_.step(h_);
+    ++steps_;
+    body_->read(actual_);
+    target_.advance();
+}
+
+}  // namespace percussionist::sim
