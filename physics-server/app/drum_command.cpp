@@ -1,4 +1,4 @@
-// percussionist drum: see modes_command.hpp.
+// percussionist drum: see commands.hpp.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

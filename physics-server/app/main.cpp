@@ -20,9 +20,9 @@ int main(int argc, char** argv) {
         add_render_command(program);
         add_check_command(program);
         add_samples_command(program);
+        add_bench_command(program);
         add_modes_command(program);
         add_drum_command(program);
-        add_bench_command(program);
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error);
