@@ -8,8 +8,8 @@ namespace percussionist::motion {
 namespace {
 
 constexpr double kEarlyGain = 0.5;
-constexpr double kLateGain = 0.02;
-constexpr double kPeriodGain = 0.0005;
+constexpr double kLateGain = 0.01;
+constexpr double kPeriodGain = 0.01;  // of the correction
 constexpr double kPeriodRange = 0.01;  // of the nominal
 constexpr double kLongestGap = 2.0;    // [s]: beyond, the grid is not counted on
 constexpr double kAstray = 0.3;        // of a period
@@ -33,8 +33,9 @@ double CycleClock::smooth(double arrival) noexcept {
         return arrival;
     }
     astray_ = 0;
-    last_ += cycles * period_ + (error < 0.0 ? kEarlyGain : kLateGain) * error;
-    period_ = std::clamp(period_ + kPeriodGain * error, nominal_ * (1 - kPeriodRange),
+    const double correction = (error < 0.0 ? kEarlyGain : kLateGain) * error;
+    last_ += cycles * period_ + correction;
+    period_ = std::clamp(period_ + kPeriodGain * correction, nominal_ * (1 - kPeriodRange),
                          nominal_ * (1 + kPeriodRange));
     return last_;
 }

@@ -89,48 +89,55 @@ std::optional<motion::FastrakStatus> FastrakDialogue::find_unit() {
     return std::nullopt;
 }
 
-bool FastrakDialogue::takes(const FastrakLayout& layout, int station) {
+FastrakDialogue::Answer FastrakDialogue::takes(const FastrakLayout& layout, int station) {
     for (int i = 0; i < kTries && !cancelled_(); ++i) {
         port_.write(motion::output_list_command(station, layout));
         const auto told = ask('O' + station_text(station) + '\r', [station](std::string_view text) {
             return motion::find_output_list(text, station);
         });
         if (told) {
-            return *told == layout.items;
+            return *told == layout.items ? Answer::kYes : Answer::kNo;
         }
     }
-    return false;
+    return Answer::kNone;
 }
 
-/// The layout asked for, or the nearest that the unit takes: no 16BIT, then nothing twice.
-bool FastrakDialogue::agree_on_layout(motion::FastrakSettings settings, FastrakSession& session) {
-    const auto all_take = [&] {
-        session.layout = layout_for(settings);
-        bool good = true;
-        for (int station = 1; station <= kFastrakStations && good; ++station) {
-            const bool on = session.on[static_cast<std::size_t>(station - 1)];
-            good = !on || takes(session.layout, station);
+FastrakDialogue::Answer FastrakDialogue::all_take(const FastrakSession& session) {
+    for (int station = 1; station <= kFastrakStations; ++station) {
+        if (session.on[static_cast<std::size_t>(station - 1)]) {
+            const Answer answer = takes(session.layout, station);
+            if (answer != Answer::kYes) {
+                return answer;
+            }
         }
-        return good;
-    };
+    }
+    return Answer::kYes;
+}
+
+/// The layout asked for, or the nearest that the unit takes: no 16BIT, then nothing twice. A unit
+/// that does not tell gets the plainest.
+void FastrakDialogue::agree_on_layout(motion::FastrakSettings settings, FastrakSession& session) {
     const double cycle_bytes = motion::kFastrakCycle * port_.baud() / 10;
     if (settings.twice && static_cast<double>(*record_size(layout_for(settings))) > cycle_bytes) {
         settings.twice = false;
         session.notes.push_back("line too slow for everything twice");
     }
-    if (all_take()) {
-        return true;
-    }
-    if (settings.encoding == motion::Encoding::k16Bit) {
+    session.layout = layout_for(settings);
+    Answer answer = all_take(session);
+    if (answer == Answer::kNo && settings.encoding == motion::Encoding::k16Bit) {
         settings.encoding = motion::Encoding::kFloat32;
         session.notes.push_back("unit has no 16BIT: float32 instead");
-        if (all_take()) {
-            return true;
+        session.layout = layout_for(settings);
+        answer = all_take(session);
+    }
+    if (answer != Answer::kYes && settings.twice) {
+        settings.twice = false;
+        session.notes.push_back("unit sends nothing twice");
+        session.layout = layout_for(settings);
+        for (int station = 1; station <= kFastrakStations; ++station) {
+            port_.write(motion::output_list_command(station, session.layout));
         }
     }
-    settings.twice = false;
-    session.notes.push_back("unit sends nothing twice");
-    return all_take();
 }
 
 /// One record with cosines and quaternion tells whether the cosines are rows or columns.
@@ -179,14 +186,10 @@ std::optional<FastrakSession> FastrakDialogue::set_up(const motion::FastrakSetti
         const bool wanted = settings.wanted[static_cast<std::size_t>(station - 1)];
         port_.write('l' + station_text(station) + (wanted ? ",1\r" : ",0\r"));
     }
-    const auto on = ask("l1\r", motion::find_stations);
-    if (!on) {
-        return std::nullopt;
-    }
-    session.on = *on;
-    if (!agree_on_layout(settings, session)) {
-        return std::nullopt;
-    }
+    std::array<bool, kFastrakStations> all{};
+    all.fill(true);
+    session.on = ask("l1\r", motion::find_stations).value_or(choose ? settings.wanted : all);
+    agree_on_layout(settings, session);
     for (const std::string& command : set_up_commands(settings, session.on)) {
         port_.write(command);
     }

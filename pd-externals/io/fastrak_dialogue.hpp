@@ -41,8 +41,10 @@ class FastrakDialogue {
     std::string drain();
     void read(double seconds);
     std::optional<motion::FastrakStatus> greet();
-    bool takes(const motion::FastrakLayout& layout, int station);
-    bool agree_on_layout(motion::FastrakSettings settings, FastrakSession& session);
+    enum class Answer { kYes, kNo, kNone };
+    Answer takes(const motion::FastrakLayout& layout, int station);
+    Answer all_take(const FastrakSession& session);
+    void agree_on_layout(motion::FastrakSettings settings, FastrakSession& session);
     void settle_cosines(FastrakSession& session, int station);
 
     SerialPort& port_;

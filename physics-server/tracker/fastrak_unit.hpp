@@ -26,7 +26,7 @@ struct FastrakUnitSettings {
     bool cosine_rows = false;
     double restart = 10.0;  ///< how long ^Y takes [s]
     /// What happens to a record on its way; for faults.
-    std::function<void(motion::Bytes&)> damage;
+    std::function<void(motion::Bytes&)> damage = {};
 };
 
 class FastrakUnit {
