@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kEarlyGain = 0.5;
 constexpr double kLateGain = 0.01;
-constexpr double kPeriodGain = 0.01;  // of the correction
+constexpr double kPeriodGain = 0.01;   // of the correction
 constexpr double kPeriodRange = 0.01;  // of the nominal
 constexpr double kLongestGap = 2.0;    // [s]: beyond, the grid is not counted on
 constexpr double kAstray = 0.3;        // of a period

@@ -19,8 +19,17 @@ double cubic(double t0, double p0, double m0, double t1, double p1, double m1, d
 }  // namespace
 
 SyntheticStick::SyntheticStick(const SyntheticStickSettings& settings,
-                               const std::vector<SyntheticStroke>& strokes)
-    : settings_(settings), heights_{heights_of(0, strokes), heights_of(1, strokes)} {
+                               std::vector<SyntheticStroke> strokes)
+    : settings_(settings) {
+    for (SyntheticStroke& stroke : strokes) {
+        // From rest to rest over h metres in 2 h / v, a cubic's acceleration is up to 3 v^2 / 2 h.
+        const double height = settings.apex - settings.tip_radius - stroke.miss;
+        stroke.velocity =
+            stroke.miss > 0
+                ? std::min(stroke.velocity, std::sqrt(2 * height * settings.hardest_stop / 3))
+                : stroke.velocity;
+    }
+    heights_ = {heights_of(0, strokes), heights_of(1, strokes)};
     for (const SyntheticStroke& stroke : strokes) {
         const double tilt = at(heights_[0], stroke.time) - at(heights_[1], stroke.time);
         const double reach = std::sqrt(
@@ -49,14 +58,15 @@ void SyntheticStick::add_swing(Path& path, const SyntheticStroke& stroke, double
     const double low = settings_.tip_radius + stroke.miss;
     const double up_rate = settings_.rebound * stroke.velocity;
     const double start = stroke.time + (stroke.miss > 0 ? 0.0 : settings_.contact);
-    // A height takes this long, up and down, each metre of it [s/m].
-    const double up = 2 * settings_.swing / up_rate, down = 2 * settings_.swing / next_velocity;
-    const double room = next_time - start + low * up + next_low * down;
-    const double apex =
-        std::max(std::min(settings_.apex, room / (up + down)), std::max(low, next_low) + 1e-4);
-    path.push_back({start, low, stroke.miss > 0 ? 0.0 : up_rate});
-    path.push_back({start + (apex - low) * up, apex, 0.0});
+    // A height takes this long to fall from, each metre of it [s/m]; a hurried hand rises as long.
+    const double down = 2 * settings_.swing / next_velocity;
+    const double room = next_time - start;
+    const double apex = std::max(std::min(settings_.apex, next_low + 0.5 * room / down),
+                                 std::max(low, next_low) + 1e-4);
     const double turn = next_time - (apex - next_low) * down;
+    const double up = std::min(2 * settings_.swing * (apex - low) / up_rate, turn - start);
+    path.push_back({start, low, stroke.miss > 0 ? 0.0 : up_rate});
+    path.push_back({start + up, apex, 0.0});
     if (turn > path.back().time + 1e-6 && std::isfinite(turn)) {
         path.push_back({turn, apex, 0.0});
     }

@@ -29,19 +29,19 @@ struct SyntheticStroke {
 };
 
 struct SyntheticStickSettings {
-    double tip_radius = 0.0125;  ///< [m]
-    double half_length = 0.10;   ///< from the middle to the centre of an end [m]
-    double apex = 0.06;          ///< of an end's centre above the head [m]
-    double contact = 0.008;      ///< below the plane [s]
-    double rebound = 0.6;        ///< of the velocity
-    double swing = 1.0;          ///< duration of a swing over that of constant acceleration
+    double tip_radius = 0.0125;   ///< [m]
+    double half_length = 0.10;    ///< from the middle to the centre of an end [m]
+    double apex = 0.06;           ///< of an end's centre above the head [m]
+    double contact = 0.008;       ///< below the plane [s]
+    double rebound = 0.6;         ///< of the velocity
+    double hardest_stop = 100.0;  ///< of a swing that misses [m/s^2]
+    double swing = 1.0;           ///< duration of a swing over that of constant acceleration
 };
 
 class SyntheticStick {
   public:
     /// Strokes in order of time.
-    SyntheticStick(const SyntheticStickSettings& settings,
-                   const std::vector<SyntheticStroke>& strokes);
+    SyntheticStick(const SyntheticStickSettings& settings, std::vector<SyntheticStroke> strokes);
 
     /// The stick's middle, its x axis towards end 0, in the drum's frame.
     Pose drum_from_stick(double time) const;
