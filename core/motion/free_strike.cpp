@@ -32,12 +32,12 @@ void FreeStrikeDetector::locate(FreeStrike& strike, const LocalFit& in, const Lo
         lowest = height(i) < height(lowest) ? i : lowest;
     }
     const double begin = points_[first].time, end = points_[last].time;
-    if (gap < 2) {
-        // The ways in and out meet: v_in (t - begin) + h_in = v_out (t - end) + h_out.
-        const double v_in = away.dot(in.velocity(begin)), v_out = away.dot(out.velocity(end));
-        const double h_in = away.dot(in.position(begin)), h_out = away.dot(out.position(end));
-        const double meet = (h_out - h_in + v_in * begin - v_out * end) / (v_in - v_out);
-        strike.time = std::clamp(meet, begin, end);
+    // The ways in and out meet: v_in (t - begin) + h_in = v_out (t - end) + h_out.
+    const double v_in = away.dot(in.velocity(begin)), v_out = away.dot(out.velocity(end));
+    const double h_in = away.dot(in.position(begin)), h_out = away.dot(out.position(end));
+    const double meet = (h_out - h_in + v_in * begin - v_out * end) / (v_in - v_out);
+    if (gap == 0 && meet > begin && meet < end) {
+        strike.time = meet;
     } else {
         const LocalFit bottom(std::array{points_[lowest + 1], points_[lowest], points_[lowest - 1]},
                               2, points_[lowest].time);
