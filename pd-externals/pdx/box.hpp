@@ -27,6 +27,7 @@ struct Box {
     const Known* known;
     Object* object;
     t_outlet** outlets;
+    t_pd** inlets;  ///< what listens at the further inlets for messages
     const Sample* inputs[kMaxSignals];
     Sample* outputs[kMaxSignals];
     std::size_t output_count;
