@@ -263,27 +263,27 @@ PDX_SETUP(fastrak_tilde_setup) {
     add_class(
         describe<Fastrak>("fastrak~", "a Polhemus FASTRAK: where up to four receivers are")
             .creation({word("device").by_default_word(""), baud})
-            .message("open", {word("device"), baud}, "a serial port; another rate is found",
-                     &Fastrak::open)
+            .message("open", {word("device"), baud},
+                     "a serial port (if its rate is another, that is found)", &Fastrak::open)
             .message("close", {}, "lets the port go", &Fastrak::close)
             .message("devices", {}, "lists the serial ports at the right outlet", &Fastrak::devices)
             .message("station", {station}, "which receiver the signals follow", &Fastrak::station)
             .message("stations", {anything("numbers")},
-                     "which receivers measure; none: all that are plugged in", &Fastrak::stations)
+                     "which receivers measure (none: all that are plugged in)", &Fastrak::stations)
             .message("format", {word("format")}, "ascii, float32 or 16bit", &Fastrak::format)
             .message("attitude", {word("attitude")}, "asked for as quaternion, euler or cosines",
                      &Fastrak::attitude)
             .message("twice", {number("on").from(0).to(1)},
                      "each number twice, so that a noisy line makes no false pose", &Fastrak::twice)
             .message("hemisphere", {station, x, y, z},
-                     "where the receiver is, from the transmitter; 0 0 0: follow it",
+                     "where the receiver is, from the transmitter (0 0 0: follow it)",
                      &Fastrak::hemisphere)
             .message("tip", {station, metres("x"), metres("y"), metres("z")},
                      "the point that is measured, in the receiver's frame", &Fastrak::tip)
             .message("align",
                      {station, corner("ox"), corner("oy"), corner("oz"), corner("xx"), corner("xy"),
                       corner("xz"), corner("yx"), corner("yy"), corner("yz")},
-                     "a frame: origin, a point on x, one on y; without: the transmitter's",
+                     "a frame: origin, a point on x, one on y (without: the transmitter's)",
                      &Fastrak::align)
             .message("boresight", {station, angle("azimuth"), angle("elevation"), angle("roll")},
                      "as it is now it is to show these angles", &Fastrak::boresight)
@@ -292,7 +292,8 @@ PDX_SETUP(fastrak_tilde_setup) {
             .message("filter",
                      {word("which"), part("f", 0).or_none(), part("low", 0.2), part("high", 0.8),
                       part("factor", 0.8)},
-                     "position or attitude; the unit's own; without numbers: off", &Fastrak::filter)
+                     "position or attitude: the unit's own (without numbers: off)",
+                     &Fastrak::filter)
             .message("reset", {}, "the unit starts anew, in about 10 s", &Fastrak::reset)
             .message("record", {word("file")}, "poses to a file, until stop", &Fastrak::record)
             .message("play", {word("file")}, "poses from a file, in place of the unit's",

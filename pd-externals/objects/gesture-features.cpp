@@ -267,23 +267,25 @@ PDX_SETUP(setup_gesture0x2dfeatures) {
                      "where a receiver is now, as fastrak~ tells it", &GestureFeatures::pose)
             .message("stick", {station}, "which receiver is on the stick", &GestureFeatures::stick)
             .message("frame", {or_none},
-                     "which one all is seen from: on the player or the frame; 0: the transmitter",
+                     "which one all is seen from: on the player or the frame (0: the transmitter)",
                      &GestureFeatures::frame)
-            .message("hand", {or_none, number("press", "m").from(1e-4).to(0.2).by_default(0.01),
+            .message("hand",
+                     {or_none, number("press", "m").from(1e-4).to(0.2).by_default(0.01),
                       number("touch", "m").from(0).to(0.3).by_default(0.03)},
-                     "which one damps; how far in is a pressure of 1; how far from the head it is "
+                     "which one damps, how far in is a pressure of 1, how far from the head it is "
                      "when it touches",
                      &GestureFeatures::hand)
-            .message("tip",
-                     {number("end").from(1).to(2), number("x", "m").from(-1).to(1).or_none(),
-                      number("y", "m").from(-1).to(1).or_none(),
-                      number("z", "m").from(-1).to(1).or_none()},
-                     "the middle of the stick's round end, from its receiver; without: no such end",
-                     &GestureFeatures::tip)
+            .message(
+                "tip",
+                {number("end").from(1).to(2), number("x", "m").from(-1).to(1).or_none(),
+                 number("y", "m").from(-1).to(1).or_none(),
+                 number("z", "m").from(-1).to(1).or_none()},
+                "the middle of the stick's round end, from its receiver (without: no such end)",
+                &GestureFeatures::tip)
             .message("radius", {number("radius", "m").from(0).to(0.1)}, "of the stick's round ends",
                      &GestureFeatures::radius)
             .message("drum", {number("drum", "m").from(0).to(2)},
-                     "its radius: beyond is nothing; 0: no limit", &GestureFeatures::drum)
+                     "its radius: beyond is nothing (0: no limit)", &GestureFeatures::drum)
             .message("detect", {word("how")}, "strikes: plane, free or none",
                      &GestureFeatures::detect)
             .message(
@@ -291,7 +293,7 @@ PDX_SETUP(setup_gesture0x2dfeatures) {
                 {metres("x"), metres("y"), metres("z"), metres("nx"), metres("ny"), metres("nz")},
                 "the head: its middle, and out of it", &GestureFeatures::plane)
             .message("calibrate", {number("on").from(0).to(1)},
-                     "1: every tap on a real surface is kept; 0: the head is where they were",
+                     "1: every tap on a real surface is kept, 0: the head is where they were",
                      &GestureFeatures::calibrate)
             .message("tap", {}, "keeps where the first end is now", &GestureFeatures::tap)
             .message("fit", {}, "the head is where the taps were, three or more",
@@ -315,17 +317,18 @@ PDX_SETUP(setup_gesture0x2dfeatures) {
                           .by_default(usual.free.least_deceleration)},
                      "what is slower is no strike", &GestureFeatures::softest)
             .message("window", {number("window", "s").from(0.01).to(1)},
-                     "of poses that a feature is fitted to; it is half of that late",
+                     "of poses that a feature is fitted to (it is half of that late)",
                      &GestureFeatures::window)
             .message("reset", {}, "forgets poses, plane and taps", &GestureFeatures::reset)
             .message("print", {}, "dropped REPEATS JUMPS, at the right outlet",
                      &GestureFeatures::print)
             .outlet(
                 "strike VELOCITY [m/s] (R [m] THETA [rad]), at its time, as modal-drum~ takes it")
-            .outlet("plane END SIDE AHEAD [s] vx vy vz; free END TURN PEAK [s] DECELERATION dx dy "
-                    "dz x y z")
+            .outlet(
+                "plane END SIDE AHEAD [s] vx vy vz, or free END TURN PEAK [s] DECELERATION dx dy "
+                "dz x y z")
             .outlet("position, velocity, speed, acceleration, jerk, direction, turning, "
                     "curvature, angular-velocity, and their delay")
             .outlet("damp R [m] THETA [rad] PRESSURE of the hand")
-            .outlet("taps N; plane x y z nx ny nz RESIDUAL [m]; dropped"));
+            .outlet("taps N, plane x y z nx ny nz RESIDUAL [m], dropped"));
 }

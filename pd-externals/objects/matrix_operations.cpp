@@ -261,7 +261,7 @@ const char* kind_text(Kind kind) {
         case Kind::kMatrix:
             return "matrix R C and its rows, or a list of 4, 9 or 16: a square one";
         case Kind::kSame:
-            return "a vector: a list; or matrix R C and its rows";
+            return "a vector: a list, or matrix R C and its rows";
         case Kind::kEuler:
             return "azimuth elevation roll [rad]";
         case Kind::kQuaternion:
