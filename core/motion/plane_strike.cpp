@@ -104,20 +104,24 @@ std::optional<PlaneStrike> PlaneStrikeDetector::strike_behind(std::size_t newest
         const auto time = meeting(line, before.time);
         return time ? strike_at(line, *time) : std::nullopt;
     }
-    return between && (distance(after) <= 0.0 || bounced(fit, before, after))
+    return between &&
+                   (distance(after) <= settings_.clearance || bounced(fit, *meets, before, after))
                ? strike_at(fit, *meets)
                : std::nullopt;
 }
 
-/// Whether it is where no hand could have brought it that only held the stick back.
-bool PlaneStrikeDetector::bounced(const LocalFit& fit, const PathPoint& before,
+/// Whether it is where no hand could have brought it that only held the stick back, but a bounce,
+/// which gives no more speed than it takes, could.
+bool PlaneStrikeDetector::bounced(const LocalFit& fit, double meets, const PathPoint& before,
                                   const PathPoint& after) const noexcept {
     const double step = after.time - before.time;
     const double speed = -side_ * fit.velocity(before.time).z();
     const double stopping = std::min(step, speed / settings_.hardest_stop);
-    const double highest =
+    const double held_back =
         distance(before) - speed * stopping + 0.5 * settings_.hardest_stop * stopping * stopping;
-    return distance(after) > std::min(highest + settings_.clearance, distance(before));
+    const double thrown_back = -side_ * fit.velocity(meets).z() * (after.time - meets);
+    return distance(after) > std::min(held_back + settings_.clearance, distance(before)) &&
+           distance(after) < thrown_back + settings_.clearance;
 }
 
 std::optional<PlaneStrike> PlaneStrikeDetector::strike_ahead() noexcept {

@@ -58,7 +58,7 @@ class PlaneStrikeDetector {
     std::size_t approach(std::size_t newest) const noexcept;
     LocalFit fit_approach(std::size_t newest, std::size_t count) const noexcept;
     std::optional<double> meeting(const LocalFit& fit, double from) const noexcept;
-    bool bounced(const LocalFit& fit, const PathPoint& before,
+    bool bounced(const LocalFit& fit, double meets, const PathPoint& before,
                  const PathPoint& after) const noexcept;
     std::optional<PlaneStrike> strike_behind(std::size_t newest) noexcept;
     std::optional<PlaneStrike> strike_ahead() noexcept;
