@@ -10,6 +10,9 @@ namespace {
 
 constexpr std::size_t kFitted = 4;    // points of the approach
 constexpr double kFittedSpan = 0.1;   // [s] that they span at most
+constexpr double kSteady = 0.015;       // [s] before the strike, half its speed has to be there
+constexpr double kSlowStep = 0.015;   // [s] between points; beyond, a bounce takes two to tell
+constexpr double kBackwards = 0.008;  // [s] that a way out, which slows down, is misjudged by
 constexpr double kLongestStep = 0.1;  // [s] between points; beyond, nothing is known
 
 }  // namespace
@@ -79,7 +82,8 @@ std::optional<PlaneStrike> PlaneStrikeDetector::strike_at(const LocalFit& fit,
     const Vector3 velocity = fit.velocity(time);
     const double speed = -side_ * velocity.z();
     const Place place = place_of(fit.position(time));
-    if (speed < settings_.least_speed || time < last_strike_ + settings_.rest ||
+    const double steady = -side_ * fit.velocity(time - kSteady).z();
+    if (std::min(speed, 2 * steady) < settings_.least_speed || time < last_strike_ + settings_.rest ||
         (settings_.drum_radius > 0.0 && place.r > settings_.drum_radius)) {
         return std::nullopt;
     }
@@ -98,16 +102,31 @@ std::optional<PlaneStrike> PlaneStrikeDetector::strike_behind(std::size_t newest
     const LocalFit fit = fit_approach(newest, count);
     const auto meets = count > 1 ? meeting(fit, before.time) : std::nullopt;
     const bool between = meets && *meets <= after.time;
+    const bool slow = after.time - before.time >= kSlowStep;
+    if (newest == 2 && (!between || !slow)) {
+        return std::nullopt;
+    }
     if (distance(after) <= 0.0 && !between) {
         // It only came down after the last point of its approach: straight through the plane.
         const LocalFit line(std::array{before, after}, 1, before.time);
         const auto time = meeting(line, before.time);
         return time ? strike_at(line, *time) : std::nullopt;
     }
-    return between &&
-                   (distance(after) <= settings_.clearance || bounced(fit, *meets, before, after))
-               ? strike_at(fit, *meets)
-               : std::nullopt;
+    if (!between) {
+        return std::nullopt;
+    }
+    const bool struck = distance(after) <= settings_.clearance ||
+                        (slow ? newest == 2 && leaves_head(*meets, after, points_[0])
+                              : bounced(fit, *meets, before, after));
+    return struck ? strike_at(fit, *meets) : std::nullopt;
+}
+
+/// With records far apart only the way out tells: followed back it comes from the head, after the
+/// way in has reached it.
+bool PlaneStrikeDetector::leaves_head(double meets, const PathPoint& after,
+                                      const PathPoint& next) const noexcept {
+    const double speed = (distance(next) - distance(after)) / (next.time - after.time);
+    return speed > 0.0 && after.time - distance(after) / speed > meets - kBackwards;
 }
 
 /// Whether it is where no hand could have brought it that only held the stick back, but a bounce,
@@ -147,6 +166,9 @@ std::optional<PlaneStrike> PlaneStrikeDetector::add(const PathPoint& tip_drum) n
     std::optional<PlaneStrike> strike;
     if (armed_ && points_.size() > 1) {
         strike = strike_behind(1);
+        if (!strike && points_.size() > 2) {
+            strike = strike_behind(2);
+        }
         strike = strike ? strike : strike_ahead();
     }
     follow_clearance(tip_drum);

@@ -7,7 +7,8 @@
 //  - ahead, once the hand can no longer stop: from speed v at distance d that takes v^2 / 2d, more
 //    than `hardest_stop`; at most `ahead` before;
 //  - when a sample is through the plane;
-//  - when the parabola was through but the next sample is where only a bounce can bring it.
+//  - when the parabola was through but the next sample is where only a bounce can bring it; with
+//    samples more than 15 ms apart, when the two after it come from the head.
 // Then the tip has to leave the head before it can strike again. It strikes on the side it is on;
 // passing through what is not there does not change the side, staying beyond does.
 // Pure; real-time safe; one detector for each tip.
@@ -60,6 +61,7 @@ class PlaneStrikeDetector {
     std::optional<double> meeting(const LocalFit& fit, double from) const noexcept;
     bool bounced(const LocalFit& fit, double meets, const PathPoint& before,
                  const PathPoint& after) const noexcept;
+    bool leaves_head(double meets, const PathPoint& after, const PathPoint& next) const noexcept;
     std::optional<PlaneStrike> strike_behind(std::size_t newest) noexcept;
     std::optional<PlaneStrike> strike_ahead() noexcept;
     std::optional<PlaneStrike> strike_at(const LocalFit& fit, double time) noexcept;
