@@ -16,6 +16,8 @@ namespace percussionist::tracker {
 
 namespace {
 
+constexpr std::size_t kMostWaiting = 16384;
+
 [[noreturn]] void fail(const std::string& what) {
     throw std::runtime_error(what + ": " + std::strerror(errno));
 }
@@ -97,12 +99,12 @@ void PseudoTerminal::read(motion::Bytes& in) {
 }
 
 void PseudoTerminal::write(std::span<const std::uint8_t> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(master_, bytes.data(), bytes.size());
-        if (count <= 0) {
-            return;
-        }
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    if (waiting_.size() + bytes.size() <= kMostWaiting) {
+        waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+    }
+    const ssize_t count = waiting_.empty() ? 0 : ::write(master_, waiting_.data(), waiting_.size());
+    if (count > 0) {
+        waiting_.erase(waiting_.begin(), waiting_.begin() + count);
     }
 }
 

@@ -24,12 +24,14 @@ class PseudoTerminal {
     int baud() const;
     /// Appends what has come.
     void read(motion::Bytes& in);
-    /// What does not fit, because no one reads, is lost, as on a line.
+    /// What does not fit yet goes with the next call; beyond a few kilobytes no one reads, and it is
+    /// lost, as on a line.
     void write(std::span<const std::uint8_t> bytes);
 
   private:
     int master_ = -1;
     int slave_ = -1;  // kept open: the port stays there while no one else has it open
+    motion::Bytes waiting_;
     std::string name_, link_;
 };
 
