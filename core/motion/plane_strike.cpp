@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kFitted = 4;    // points of the approach
 constexpr double kFittedSpan = 0.1;   // [s] that they span at most
-constexpr double kSteady = 0.015;       // [s] before the strike, half its speed has to be there
+constexpr double kSteady = 0.015;     // [s] before the strike, half its speed has to be there
 constexpr double kSlowStep = 0.015;   // [s] between points; beyond, a bounce takes two to tell
 constexpr double kBackwards = 0.008;  // [s] that a way out, which slows down, is misjudged by
 constexpr double kLongestStep = 0.1;  // [s] between points; beyond, nothing is known
@@ -83,7 +83,8 @@ std::optional<PlaneStrike> PlaneStrikeDetector::strike_at(const LocalFit& fit,
     const double speed = -side_ * velocity.z();
     const Place place = place_of(fit.position(time));
     const double steady = -side_ * fit.velocity(time - kSteady).z();
-    if (std::min(speed, 2 * steady) < settings_.least_speed || time < last_strike_ + settings_.rest ||
+    if (std::min(speed, 2 * steady) < settings_.least_speed ||
+        time < last_strike_ + settings_.rest ||
         (settings_.drum_radius > 0.0 && place.r > settings_.drum_radius)) {
         return std::nullopt;
     }

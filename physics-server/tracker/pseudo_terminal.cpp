@@ -16,7 +16,7 @@ namespace percussionist::tracker {
 
 namespace {
 
-constexpr std::size_t kMostWaiting = 16384;
+constexpr std::size_t kMostWaiting = 65536;
 
 [[noreturn]] void fail(const std::string& what) {
     throw std::runtime_error(what + ": " + std::strerror(errno));

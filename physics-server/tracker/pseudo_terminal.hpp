@@ -24,7 +24,7 @@ class PseudoTerminal {
     int baud() const;
     /// Appends what has come.
     void read(motion::Bytes& in);
-    /// What does not fit yet goes with the next call; beyond a few kilobytes no one reads, and it is
+    /// What does not fit yet goes with the next call; beyond some seconds no one reads, and it is
     /// lost, as on a line.
     void write(std::span<const std::uint8_t> bytes);
 
