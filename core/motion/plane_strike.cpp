@@ -8,11 +8,12 @@ namespace percussionist::motion {
 
 namespace {
 
-constexpr std::size_t kFitted = 4;    // points of the approach
-constexpr double kFittedSpan = 0.1;   // [s] that they span at most
-constexpr double kSteady = 0.015;     // [s] before the strike, half its speed has to be there
-constexpr double kSlowStep = 0.015;   // [s] between points; beyond, a bounce takes two to tell
-constexpr double kBackwards = 0.008;  // [s] that a way out, which slows down, is misjudged by
+constexpr std::size_t kFitted = 4;   // points of the approach
+constexpr double kFittedSpan = 0.1;  // [s] that they span at most
+constexpr double kSteady = 0.015;    // [s] before the strike, half its speed has to be there
+constexpr double kSlowStep =
+    0.015;  // [s] between points; beyond, one is not enough to tell a bounce
+constexpr double kBackwards = 0.25;   // of a step: a way out, which slows down, is misjudged by
 constexpr double kLongestStep = 0.1;  // [s] between points; beyond, nothing is known
 
 }  // namespace
@@ -104,7 +105,7 @@ std::optional<PlaneStrike> PlaneStrikeDetector::strike_behind(std::size_t newest
     const auto meets = count > 1 ? meeting(fit, before.time) : std::nullopt;
     const bool between = meets && *meets <= after.time;
     const bool slow = after.time - before.time >= kSlowStep;
-    if (newest == 2 && (!between || !slow)) {
+    if (newest == 2 && !between) {
         return std::nullopt;
     }
     if (distance(after) <= 0.0 && !between) {
@@ -117,17 +118,18 @@ std::optional<PlaneStrike> PlaneStrikeDetector::strike_behind(std::size_t newest
         return std::nullopt;
     }
     const bool struck = distance(after) <= settings_.clearance ||
-                        (slow ? newest == 2 && leaves_head(*meets, after, points_[0])
-                              : bounced(fit, *meets, before, after));
+                        (newest == 2 ? leaves_head(*meets, after, points_[0])
+                                     : !slow && bounced(fit, *meets, before, after));
     return struck ? strike_at(fit, *meets) : std::nullopt;
 }
 
-/// With records far apart only the way out tells: followed back it comes from the head, after the
-/// way in has reached it.
+/// The way out tells what one record cannot: followed back it comes from the head, after the way in
+/// has reached it.
 bool PlaneStrikeDetector::leaves_head(double meets, const PathPoint& after,
                                       const PathPoint& next) const noexcept {
     const double speed = (distance(next) - distance(after)) / (next.time - after.time);
-    return speed > 0.0 && after.time - distance(after) / speed > meets - kBackwards;
+    const double misjudged = kBackwards * (next.time - after.time);
+    return speed > 0.0 && after.time - distance(after) / speed > meets - misjudged;
 }
 
 /// Whether it is where no hand could have brought it that only held the stick back, but a bounce,

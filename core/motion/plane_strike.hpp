@@ -7,8 +7,8 @@
 //  - ahead, once the hand can no longer stop: from speed v at distance d that takes v^2 / 2d, more
 //    than `hardest_stop`; at most `ahead` before;
 //  - when a sample is through the plane;
-//  - when the parabola was through but the next sample is where only a bounce can bring it; with
-//    samples more than 15 ms apart, when the two after it come from the head.
+//  - when the parabola was through but the next sample is where only a bounce can bring it, or the
+//    next two come from the head when followed back.
 // Then the tip has to leave the head before it can strike again. It strikes on the side it is on;
 // passing through what is not there does not change the side, staying beyond does.
 // Pure; real-time safe; one detector for each tip.
