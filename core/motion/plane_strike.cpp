@@ -13,7 +13,7 @@ constexpr double kFittedSpan = 0.1;  // [s] that they span at most
 constexpr double kSteady = 0.015;    // [s] before the strike, half its speed has to be there
 constexpr double kSlowStep =
     0.015;  // [s] between points; beyond, one is not enough to tell a bounce
-constexpr double kBackwards = 0.25;   // of a step: a way out, which slows down, is misjudged by
+constexpr double kMisjudged = 0.25;   // of a step, that ways in and out are
 constexpr double kLongestStep = 0.1;  // [s] between points; beyond, nothing is known
 
 }  // namespace
@@ -103,8 +103,10 @@ std::optional<PlaneStrike> PlaneStrikeDetector::strike_behind(std::size_t newest
     }
     const LocalFit fit = fit_approach(newest, count);
     const auto meets = count > 1 ? meeting(fit, before.time) : std::nullopt;
-    const bool between = meets && *meets <= after.time;
-    const bool slow = after.time - before.time >= kSlowStep;
+    const double step = after.time - before.time;
+    const bool slow = step >= kSlowStep;
+    const double misjudged = newest == 2 ? kMisjudged * step : 0.0;
+    const bool between = meets && *meets <= after.time + misjudged;
     if (newest == 2 && !between) {
         return std::nullopt;
     }
@@ -120,7 +122,7 @@ std::optional<PlaneStrike> PlaneStrikeDetector::strike_behind(std::size_t newest
     const bool struck = distance(after) <= settings_.clearance ||
                         (newest == 2 ? leaves_head(*meets, after, points_[0])
                                      : !slow && bounced(fit, *meets, before, after));
-    return struck ? strike_at(fit, *meets) : std::nullopt;
+    return struck ? strike_at(fit, std::min(*meets, after.time)) : std::nullopt;
 }
 
 /// The way out tells what one record cannot: followed back it comes from the head, after the way in
@@ -128,7 +130,7 @@ std::optional<PlaneStrike> PlaneStrikeDetector::strike_behind(std::size_t newest
 bool PlaneStrikeDetector::leaves_head(double meets, const PathPoint& after,
                                       const PathPoint& next) const noexcept {
     const double speed = (distance(next) - distance(after)) / (next.time - after.time);
-    const double misjudged = kBackwards * (next.time - after.time);
+    const double misjudged = kMisjudged * (next.time - after.time);
     return speed > 0.0 && after.time - distance(after) / speed > meets - misjudged;
 }
 
