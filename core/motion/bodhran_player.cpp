@@ -68,7 +68,7 @@ Pose BodhranPlayer::chest_from_drum() {
 }
 
 Pose BodhranPlayer::receiver(int station, double time) const {
-    const Pose chest = world_from_chest(time);
+    Pose chest = world_from_chest(time);
     switch (station) {
         case 1:
             return chest * chest_from_drum() * stick_.drum_from_stick(in_pattern(time));

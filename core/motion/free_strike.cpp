@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t kOut = 4;        // points of the way out
 constexpr std::size_t kIn = 5;         // points of the way in
 constexpr std::size_t kMostGap = 8;    // points in between
+constexpr double kElastic = 1.1;       // way out over way in, of a bounce without loss and ill seen
 constexpr double kLongestStep = 0.02;  // [s] between points
 constexpr double kLeastNoise = 2e-4;   // [m], where a fit is better than trackers are
 
@@ -88,8 +89,8 @@ std::optional<FreeStrike> FreeStrikeDetector::judge(std::size_t gap, double nois
     const double uncertain =
         velocity_uncertainty(std::max(noise, in.residual()), in_end - in_points[kIn - 1].time);
     if (deceleration < std::max(settings_.least_deceleration, settings_.sharpness * beside) ||
-        std::max(after.norm(), way_out.norm()) > speed || is_swing_back(away, deceleration) ||
-        jump.norm() < settings_.certainty * uncertain) {
+        way_out.norm() > kElastic * speed || after.norm() > kElastic * speed + 2 * uncertain ||
+        is_swing_back(away, deceleration) || jump.norm() < settings_.certainty * uncertain) {
         return std::nullopt;
     }
     FreeStrike strike{.time = 0.0,

@@ -28,7 +28,7 @@
 namespace percussionist::motion {
 
 struct FreeStrikeSettings {
-    double least_speed = 0.5;       ///< of the way in [m/s]
+    double least_speed = 0.4;       ///< of the way in [m/s]
     double longest_contact = 0.06;  ///< from the way in to the way out [s]
     double turned = 0.9;            ///< part of the velocity that is lost; above 1: it comes back
     double least_deceleration = 40.0;  ///< mean, in the gap [m/s^2]

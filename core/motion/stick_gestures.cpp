@@ -136,7 +136,7 @@ std::size_t StickGestures::tap(const Vector3& place) {
 }
 
 FittedPlane StickGestures::fit_drum() {
-    const FittedPlane fitted = fit_plane(taps_, above_, settings_.plane.tip_radius);
+    FittedPlane fitted = fit_plane(taps_, above_, settings_.plane.tip_radius);
     taps_.clear();
     set_drum(fitted.world_from_drum);
     return fitted;

@@ -54,8 +54,8 @@ auto FastrakDialogue::ask(const std::string& command, Find find)
     port_.write(command);
     const double bytes = static_cast<double>(command.size() + motion::kFastrakStatusBytes);
     const double end = steady() + kAnswer + 10 * bytes / port_.baud();
-    for (double left = end - steady(); left > 0.0 && !cancelled_(); left = end - steady()) {
-        read(left);
+    while (steady() < end && !cancelled_()) {
+        read(end - steady());
         if (auto found = find(std::string_view(text_))) {
             return found;
         }
