@@ -20,7 +20,7 @@ namespace motion = percussionist::motion;
 using motion::Vector3;
 
 constexpr std::size_t kPoseOutlet = 3, kStatusOutlet = 4;
-constexpr double kPoll = 1e-3;     // [s]
+constexpr double kPoll = 2e-3;     // [s]
 constexpr double kFarAhead = 1.0;  // [s]: no pose is; the clocks have been set anew
 
 class Fastrak : public Object {
