@@ -148,3 +148,38 @@ TEST_CASE("sizes that do not fit get one error that names them, and nothing come
     }
     CHECK(det.sent().empty());
 }
+
+TEST_CASE("whatever comes to whichever of them gives a result or one error") {
+    const std::vector<std::vector<Atom>> anything = {
+        {},
+        {0.0},
+        {1.0, 2.0},
+        {0.0, 0.0, 0.0},
+        {1.0, 0.0, 0.0, 0.0},
+        {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+        {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0},
+        {1e38, 1e38, 1e38, 1e38, 1e38, 1e38, 1e38, 1e38, 1e38},
+        {"matrix"},
+        {"matrix", 2.0, 1.0, 3.0, 4.0},
+        {"matrix", 3.0, 3.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+        {"nonsense", 1.0},
+        {1.0, "x"},
+    };
+    for (const std::string& name : objects::matrix_object_names()) {
+        CAPTURE(name);
+        FakeHost host;
+        FakeObject& object = create(host, name.c_str());
+        const std::size_t further = find_class(name)->message_inlets.size();
+        for (const auto& right : anything) {
+            for (std::size_t inlet = 0; inlet < further; ++inlet) {
+                object.message_at(inlet, "list", right);
+                CHECK(host.errors().size() <= 1);
+            }
+            for (const auto& left : anything) {
+                object.sent();
+                object.message("list", left);
+                CHECK(host.errors().size() + object.sent().size() == 1);
+            }
+        }
+    }
+}
