@@ -10,8 +10,6 @@
 
 namespace percussionist::tracker {
 
-using motion::kFastrakStations;
-
 namespace {
 
 std::string fixed(double value, int width, int decimals) {
