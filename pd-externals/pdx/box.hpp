@@ -29,6 +29,7 @@ struct Box {
     Object* object;
     t_outlet** outlets;
     std::size_t outlet_count;
+    t_pd** inlets;  ///< what listens at the further inlets for messages
     const Sample* inputs[kMaxSignals];
     Sample* outputs[kMaxSignals];
     std::size_t output_count;

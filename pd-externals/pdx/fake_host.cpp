@@ -55,11 +55,24 @@ void FakeHost::destroy(FakeObject* object) {
     objects_.erase(object);
 }
 
-void FakeObject::message(const std::string& selector, std::vector<Atom> atoms) {
+namespace {
+
+void deliver(t_pd* receiver, const std::string& selector, const std::vector<Atom>& atoms) {
     auto values = pd_atoms(atoms);
     using Receive = void (*)(void*, t_symbol*, int, t_atom*);
-    reinterpret_cast<Receive>((*static_cast<t_pd*>(box_))->anything)(
-        box_, gensym(selector.c_str()), static_cast<int>(atoms.size()), values.data());
+    reinterpret_cast<Receive>((*receiver)->anything)(receiver, gensym(selector.c_str()),
+                                                     static_cast<int>(atoms.size()), values.data());
+}
+
+}  // namespace
+
+void FakeObject::message(const std::string& selector, std::vector<Atom> atoms) {
+    deliver(static_cast<t_pd*>(box_), selector, atoms);
+}
+
+void FakeObject::message_at(std::size_t inlet, const std::string& selector,
+                            std::vector<Atom> atoms) {
+    deliver(state().listeners[static_cast<t_object*>(box_)].at(inlet), selector, atoms);
 }
 
 std::vector<Sent> FakeObject::sent() {

@@ -34,6 +34,8 @@ class FakeHost;
 class FakeObject {
   public:
     void message(const std::string& selector, std::vector<Atom> atoms = {});
+    /// To a further inlet for messages, the first of them being 0.
+    void message_at(std::size_t inlet, const std::string& selector, std::vector<Atom> atoms = {});
     /// What came since the last call.
     std::vector<Sent> sent();
     /// Samples of a signal outlet, all since start_dsp().

@@ -97,6 +97,7 @@ void pd_free(t_pd* object) {
     reinterpret_cast<void (*)(void*)>((*object)->destroy)(object);
     state().outlets.erase(reinterpret_cast<t_object*>(object));
     state().extra_inlets.erase(reinterpret_cast<t_object*>(object));
+    state().listeners.erase(reinterpret_cast<t_object*>(object));
     state().sent.erase(reinterpret_cast<t_object*>(object));
     std::free(object);
 }
@@ -105,6 +106,11 @@ t_outlet* outlet_new(t_object* owner, t_symbol* type) {
     auto& outlets = state().outlets[owner];
     outlets.push_back(std::make_unique<_outlet>(_outlet{owner, outlets.size(), type == &s_signal}));
     return outlets.back().get();
+}
+
+t_inlet* inlet_new(t_object* owner, t_pd* listener, t_symbol*, t_symbol*) {
+    state().listeners[owner].push_back(listener);
+    return nullptr;
 }
 
 t_inlet* signalinlet_new(t_object* owner, t_float) {

@@ -121,6 +121,13 @@ struct Port {
     std::string description;
 };
 
+/// A further inlet; whatever comes there is a message of its own name, its arguments what came (the
+/// selector first, if it is not a list, a number or a symbol).
+struct MessageInlet {
+    std::string selector;
+    std::string description;
+};
+
 /// The table: everything Pd, the user and the reference page know of an object.
 struct Description {
     std::string name;
@@ -128,6 +135,7 @@ struct Description {
     std::vector<Argument> creation_arguments;
     std::vector<Message> messages;
     std::vector<Port> signal_inlets;  ///< the first also takes the messages
+    std::vector<MessageInlet> message_inlets;
     std::vector<Port> outlets;
     /// The last outlet is there as often as this creation argument says; none: once.
     std::optional<std::size_t> last_outlets;
@@ -155,6 +163,10 @@ class Describe : public Description {
     }
     Describe& signal_inlet(std::string text) {
         signal_inlets.push_back({true, std::move(text)});
+        return *this;
+    }
+    Describe& message_inlet(std::string selector, std::string text) {
+        message_inlets.push_back({std::move(selector), std::move(text)});
         return *this;
     }
     Describe& signal_outlet(std::string text) {

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
         add_render_command(program);
         add_check_command(program);
         add_samples_command(program);
+        add_fastrak_sim_command(program);
         add_bench_command(program);
         add_modes_command(program);
         add_drum_command(program);

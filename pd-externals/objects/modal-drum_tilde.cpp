@@ -1,6 +1,6 @@
 // [modal-drum~ RADIUS TENSION DENSITY PICKUPS]: a drum whose head, mallets and hands are simulated;
-// see core/modal. Its table is in modal-drum~_table.cpp.
-#include "objects/modal-drum~.hpp"
+// see core/modal. Its table is in modal-drum_tilde_table.cpp.
+#include "objects/modal-drum_tilde.hpp"
 
 #include <cstdio>
 #include <fstream>

@@ -1,5 +1,5 @@
 // What [modal-drum~] understands.
-#include "objects/modal-drum~.hpp"
+#include "objects/modal-drum_tilde.hpp"
 
 PDX_SETUP(setup_modal0x2ddrum_tilde) {
     using namespace percussionist::pdx;
