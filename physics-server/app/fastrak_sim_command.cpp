@@ -1,4 +1,4 @@
-#include "physics-server/app/commands.hpp"
+#include "app/commands.hpp"
 
 #include <poll.h>
 #include <unistd.h>
@@ -8,8 +8,8 @@
 #include <iostream>
 
 #include "core/motion/bodhran_player.hpp"
-#include "physics-server/tracker/recorded_motion.hpp"
-#include "physics-server/tracker/simulated_device.hpp"
+#include "tracker/recorded_motion.hpp"
+#include "tracker/simulated_device.hpp"
 
 namespace percussionist::app {
 

@@ -1,4 +1,4 @@
-#include "physics-server/tracker/fastrak_command.hpp"
+#include "tracker/fastrak_command.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Measuring and sending; what it is told is in fastrak_unit_commands.cpp.
-#include "physics-server/tracker/fastrak_unit.hpp"
+#include "tracker/fastrak_unit.hpp"
 
 #include <cmath>
 

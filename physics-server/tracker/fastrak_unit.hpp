@@ -11,8 +11,8 @@
 #include <map>
 #include <string>
 
-#include "physics-server/tracker/fastrak_command.hpp"
-#include "physics-server/tracker/timed_wire.hpp"
+#include "tracker/fastrak_command.hpp"
+#include "tracker/timed_wire.hpp"
 
 namespace percussionist::tracker {
 

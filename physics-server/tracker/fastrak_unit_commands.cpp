@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "core/motion/fastrak_replies.hpp"
-#include "physics-server/tracker/fastrak_setting.hpp"
-#include "physics-server/tracker/fastrak_unit.hpp"
+#include "tracker/fastrak_setting.hpp"
+#include "tracker/fastrak_unit.hpp"
 
 namespace percussionist::tracker {
 

@@ -5,8 +5,8 @@
 
 #include "core/linear/euler.hpp"
 #include "core/motion/fastrak_items.hpp"
-#include "physics-server/tracker/fastrak_setting.hpp"
-#include "physics-server/tracker/fastrak_unit.hpp"
+#include "tracker/fastrak_setting.hpp"
+#include "tracker/fastrak_unit.hpp"
 
 namespace percussionist::tracker {
 

@@ -1,4 +1,4 @@
-#include "physics-server/tracker/line_faults.hpp"
+#include "tracker/line_faults.hpp"
 
 namespace percussionist::tracker {
 

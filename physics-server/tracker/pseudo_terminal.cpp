@@ -1,4 +1,4 @@
-#include "physics-server/tracker/pseudo_terminal.hpp"
+#include "tracker/pseudo_terminal.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

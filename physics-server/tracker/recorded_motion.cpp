@@ -1,4 +1,4 @@
-#include "physics-server/tracker/recorded_motion.hpp"
+#include "tracker/recorded_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

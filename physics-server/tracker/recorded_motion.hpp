@@ -4,7 +4,7 @@
 #include <istream>
 #include <string>
 
-#include "physics-server/tracker/fastrak_unit.hpp"
+#include "tracker/fastrak_unit.hpp"
 
 namespace percussionist::tracker {
 

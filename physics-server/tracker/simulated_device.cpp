@@ -1,4 +1,4 @@
-#include "physics-server/tracker/simulated_device.hpp"
+#include "tracker/simulated_device.hpp"
 
 #include <sstream>
 #include <stdexcept>

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "physics-server/tracker/fastrak_unit.hpp"
-#include "physics-server/tracker/line_faults.hpp"
-#include "physics-server/tracker/pseudo_terminal.hpp"
+#include "tracker/fastrak_unit.hpp"
+#include "tracker/line_faults.hpp"
+#include "tracker/pseudo_terminal.hpp"
 
 namespace percussionist::tracker {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/motion/fastrak_replies.hpp"
-#include "physics-server/tracker/fastrak_unit.hpp"
+#include "tracker/fastrak_unit.hpp"
 
 using namespace percussionist;
 

@@ -14,7 +14,7 @@
 #include "io/fastrak_tracker.hpp"
 #include "pdx/fake_host.hpp"
 #include "pdx/object.hpp"
-#include "physics-server/tracker/simulated_device.hpp"
+#include "tracker/simulated_device.hpp"
 
 extern "C" void fastrak_tilde_setup();
 

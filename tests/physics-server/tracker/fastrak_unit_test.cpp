@@ -1,4 +1,4 @@
-#include "physics-server/tracker/fastrak_unit.hpp"
+#include "tracker/fastrak_unit.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Four stations on a damaged line: whole records arrive, all of them, and no others.
-#include "physics-server/tracker/line_faults.hpp"
+#include "tracker/line_faults.hpp"
 
 #include <doctest/doctest.h>
 

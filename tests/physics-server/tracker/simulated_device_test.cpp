@@ -1,6 +1,6 @@
 // A foreign driver, which knows the manual and a serial port and nothing of ours, on the simulated
 // device. Time is an argument: the device is moved along as the driver waits.
-#include "physics-server/tracker/simulated_device.hpp"
+#include "tracker/simulated_device.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +14,7 @@
 #include <sstream>
 
 #include "core/motion/bodhran_player.hpp"
-#include "physics-server/tracker/recorded_motion.hpp"
+#include "tracker/recorded_motion.hpp"
 
 using namespace percussionist;
 using namespace percussionist::tracker;
