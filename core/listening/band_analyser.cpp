@@ -52,6 +52,10 @@ Bins bins_between(double low, double high, double rate, std::size_t size) {
 
 }  // namespace
 
+double level_frequency(std::size_t band) noexcept {
+    return kLowest * std::pow(kHighest / kLowest, (static_cast<double>(band) + 0.5) / kLevels);
+}
+
 struct BandAnalyser::Window {
     Window(double seconds, double rate, std::span<const double> edges)
         : length(static_cast<std::size_t>(seconds * rate)), shape(length),

@@ -29,6 +29,9 @@ struct BandFrame {
     std::array<float, kQuick> quick{};
 };
 
+/// The middle of a band of BandFrame::level [Hz].
+double level_frequency(std::size_t band) noexcept;
+
 class BandAnalyser {
   public:
     /// Throws std::invalid_argument for a rate below 8000 Hz or above 400 kHz.

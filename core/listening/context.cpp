@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <vector>
+
+#include "core/listening/stroke_features.hpp"
 
 namespace percussionist::listening {
 
@@ -16,28 +19,29 @@ using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
 constexpr auto kClasses = static_cast<Index>(kDrumClasses);
-constexpr std::array<int, 3> kAddedSteps = {3, 5, 9};  ///< frames after the attack
-constexpr int kBefore = -4;
 constexpr std::size_t kLike = 6;      ///< attacks most like one, that are asked
 constexpr float kStiffness = 0.15F;   ///< of the regression, per attack
 constexpr double kGrid = 0.01;        ///< of the rhythm [s]
 constexpr double kNear = 0.045;       ///< in time, still at the same place of the bar [s]
 constexpr double kLongestGap = 1.0;   ///< told of neighbours [s]
 
+/// Where in the features the levels of a step of kLongSteps begin.
+constexpr Index levels_at(std::size_t step) {
+    return static_cast<Index>(kLevels + kFloors + kQuickSteps.size() * kQuick +
+                              step * (kLevels + kFloors));
+}
+constexpr Index kBefore = levels_at(1);
+constexpr std::array<Index, 3> kAfter = {levels_at(4), levels_at(6), levels_at(8)};
+
 /// The spectrum that each attack adds, two bands together: a column each.
-MatrixXf added_spectra(const Heard& heard) {
-    MatrixXf added(kLevels / 2 * kAddedSteps.size(), heard.attacks.size());
-    const auto last = static_cast<std::ptrdiff_t>(heard.frames.size()) - 1;
-    for (std::size_t i = 0; i < heard.attacks.size(); ++i) {
-        const auto at = static_cast<std::ptrdiff_t>(heard.attacks[i].frame);
-        const auto& before = heard.frames[static_cast<std::size_t>(std::max<std::ptrdiff_t>(at + kBefore, 0))];
-        Index row = 0;
-        for (const int step : kAddedSteps) {
-            const auto& after = heard.frames[static_cast<std::size_t>(std::min(at + step, last))];
-            for (std::size_t b = 0; b < kLevels; b += 2) {
-                const float rise = after.level[b] - before.level[b] + after.level[b + 1] - before.level[b + 1];
-                added(row++, static_cast<Index>(i)) = std::clamp(0.5F * rise, 0.0F, 6.0F);
-            }
+MatrixXf added_spectra(const MatrixXf& features) {
+    constexpr auto kBands = static_cast<Index>(kLevels);
+    MatrixXf added(kBands / 2 * static_cast<Index>(kAfter.size()), features.cols());
+    Index row = 0;
+    for (const Index after : kAfter) {
+        const MatrixXf rise = features.middleRows(after, kBands) - features.middleRows(kBefore, kBands);
+        for (Index b = 0; b < kBands; b += 2, ++row) {
+            added.row(row) = (0.5F * (rise.row(b) + rise.row(b + 1))).cwiseMax(0.0F).cwiseMin(6.0F);
         }
     }
     return added;
@@ -144,16 +148,15 @@ float quantile(Eigen::RowVectorXf values, double part) {
 
 }  // namespace
 
-Eigen::MatrixXf context_of(const Heard& heard, const FirstJudgement& first) {
-    const auto count = static_cast<Index>(heard.attacks.size());
+Eigen::MatrixXf context_of(const Evidence& evidence, const Judgement& first) {
+    const auto count = static_cast<Index>(evidence.times.size());
     MatrixXf context = MatrixXf::Zero(static_cast<Index>(kContext), count);
     if (count == 0) return context;
     const MatrixXf odds = first.odds.cwiseMax(-8.0F).cwiseMin(8.0F);
     const MatrixXf chances = 1.0F / (1.0F + (-odds.array()).exp());
-    std::vector<double> times;
-    for (const Attack& a : heard.attacks) times.push_back(time_of(static_cast<double>(a.frame) + a.within, heard.hop, heard.rate));
+    const std::vector<double>& times = evidence.times;
 
-    MatrixXf sounds = added_spectra(heard);
+    MatrixXf sounds = added_spectra(evidence.features);
     MatrixXf described(sounds.rows() + first.descriptions.rows(), count);
     described << sounds, first.descriptions;
     standardise(described);
@@ -175,7 +178,7 @@ Eigen::MatrixXf context_of(const Heard& heard, const FirstJudgement& first) {
         context.col(i).segment(7 * kClasses, kClasses) = usual;
         context(9 * kClasses, i) = static_cast<float>(std::min(times[n] - times[static_cast<std::size_t>(before)], kLongestGap));
         context(9 * kClasses + 1, i) = static_cast<float>(std::min(times[static_cast<std::size_t>(after)] - times[n], kLongestGap));
-        context(9 * kClasses + 2, i) = heard.attacks[n].strength;
+        context(9 * kClasses + 2, i) = evidence.strengths[n];
     }
     for (Index k = 0; k < kClasses; ++k) context.row(8 * kClasses + k).setConstant(quantile(odds.row(k), 0.95));
     return context;

@@ -13,24 +13,16 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <span>
-#include <vector>
 
 #include "core/listening/drum_class.hpp"
-#include "core/listening/heard.hpp"
+#include "core/listening/evidence.hpp"
+#include "core/listening/judgement.hpp"
 
 namespace percussionist::listening {
-
-/// The first classifier's view of all attacks of a recording: a column for each.
-struct FirstJudgement {
-    Eigen::MatrixXf odds;          ///< logarithms, a row for each class
-    Eigen::MatrixXf descriptions;  ///< Network::description()
-};
-
 
 constexpr std::size_t kContext = 9 * kDrumClasses + 3;
 
 /// A column of kContext numbers for each attack.
-Eigen::MatrixXf context_of(const Heard& heard, const FirstJudgement& first);
+Eigen::MatrixXf context_of(const Evidence& evidence, const Judgement& first);
 
 }  // namespace percussionist::listening

@@ -19,6 +19,8 @@ int main(int argc, char** argv) {
         add_render_command(program);
         add_check_command(program);
         add_bench_command(program);
+        add_transcribe_command(program);
+        add_learn_drums_command(program);
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error);

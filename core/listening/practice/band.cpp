@@ -55,12 +55,14 @@ void add(const Tone& tone, const Shape& shape, const std::vector<double>& table,
     const double settle = std::exp(-1.0 / (0.03 * rate));
     const double vibrato_rate = dice.uniform(4.5, 7.0) * kTau / rate;
     double phase = dice.uniform() * kTable, envelope = tone.amplitude, glide = shape.glide;
+    double vibrato = 0.0;
     for (std::size_t n = 0; n < all && from + n < out.size(); ++n) {
         const double up = std::min(static_cast<double>(n) / (shape.attack * rate), 1.0);
         out[from + n] += envelope * up * table[static_cast<std::size_t>(phase) % kTable];
-        double bend = 1.0 - glide;
-        if (shape.vibrato > 0.0) bend += shape.vibrato * std::sin(vibrato_rate * static_cast<double>(n));
-        phase += kTable * tone.frequency * bend / rate;
+        if (n % 32 == 0 && shape.vibrato > 0.0) {
+            vibrato = shape.vibrato * std::sin(vibrato_rate * static_cast<double>(n));
+        }
+        phase += kTable * tone.frequency * (1.0 - glide + vibrato) / rate;
         if (phase >= kTable) phase -= kTable;
         envelope *= n < held ? fade : fall;
         glide *= settle;

@@ -69,14 +69,14 @@ class Drummer {
         const double style = dice_.uniform();
         const double accent = dice_.uniform(0.75, 0.95);
         const double weak = dice_.uniform(0.4, 0.85);
-        if (style < 0.06) return;  // none keeps time
+        if (style < 0.1) return;  // none keeps time
         for (std::size_t place = 0; place < places(); ++place) {
             const std::size_t within = place % step;
             const bool half = swung_ ? within == 2 : within == 2;
-            if (within == 0 && style > 0.12) put(keeping, place, 0.98, accent);
-            if (half && (style < 0.12 || style > 0.28)) {
+            if (within == 0 && style > 0.16) put(keeping, place, 0.98, accent);
+            if (half && (style < 0.16 || style > 0.3)) {
                 const bool skips = swung_ && style > 0.6 && (place / step) % 2 == 0;
-                put(keeping, place, skips ? 0.1 : 0.97, style < 0.12 ? accent : weak);
+                put(keeping, place, skips ? 0.1 : 0.97, style < 0.16 ? accent : weak);
             }
             if (!swung_ && within % 2 == 1) put(keeping, place, style > 0.78 ? 0.97 : 0.03, weak * 0.85);
             if (swung_ && within == 1 && style > 0.85) put(keeping, place, 0.9, weak * 0.85);
@@ -97,13 +97,15 @@ class Drummer {
         Line& foot = line(Piece::kick);
         const auto step = static_cast<std::size_t>(per_beat_);
         const bool every_beat = dice_.chance(0.2);
+        const bool with_snare = dice_.chance(0.15);
         const double busy = dice_.uniform(0.0, 0.3);
         const double sure = dice_.uniform(0.9, 1.0);
         for (std::size_t place = 0; place < places(); ++place) {
             const std::size_t beat = place / step;
             const bool on_beat = place % step == 0;
             const bool half = place % step == 2;
-            if (on_beat && (every_beat || beat == 0 || (beat % 2 == 0 && dice_.chance(0.6)))) {
+            if (on_beat && (every_beat || beat == 0 || (beat % 2 == 0 && dice_.chance(0.6)) ||
+                            (beat % 2 == 1 && with_snare))) {
                 put(foot, place, sure, 0.9);
             } else if (dice_.chance(busy * (half ? 2.0 : 1.0))) {
                 put(foot, place, dice_.chance(0.7) ? sure : 0.3, dice_.uniform(0.65, 0.95));

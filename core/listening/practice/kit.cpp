@@ -52,18 +52,42 @@ Recipe kick(Dice& dice) {
     return made;
 }
 
+/// What rings besides the skin: hoop, shell, a stick on the rim.
+void add_shell(double level_db, Dice& dice, Recipe& to) {
+    const std::size_t count = 2 + dice.whole(4);
+    for (std::size_t m = 0; m < count; ++m) {
+        to.rings.push_back({dice.log_uniform(350.0, 2800.0), db(level_db + dice.uniform(-10.0, 0.0)), dice.log_uniform(0.03, 0.3)});
+    }
+}
+
+/// Wires off: skin and shell alone.
+Recipe bare_snare(Dice& dice) {
+    Recipe made;
+    add_skin(dice.log_uniform(160.0, 420.0), dice.log_uniform(0.06, 0.3), dice.uniform(1.0, 1.1), 0.01,
+             dice.uniform(-1.0, 1.5), dice, made);
+    add_shell(dice.uniform(-8.0, 4.0), dice, made);
+    made.hisses.push_back({300.0, dice.log_uniform(2000.0, 12000.0), db(dice.uniform(-10.0, 6.0)), 0.0005, 0.0, dice.log_uniform(0.01, 0.08)});
+    return made;
+}
+
 Recipe snare(Dice& dice) {
+    if (dice.chance(0.12)) return bare_snare(dice);
     Recipe made;
     const bool brushed = dice.chance(0.08);
-    const double skin = db(brushed ? dice.uniform(-30.0, -10.0) : dice.uniform(-16.0, 8.0));
-    add_skin(dice.log_uniform(130.0, 300.0), dice.log_uniform(0.05, 0.35), dice.uniform(1.0, 1.3), 0.01,
-             dice.uniform(0.0, 3.0), dice, made);
+    const double skin = db(brushed ? dice.uniform(-30.0, -10.0) : dice.uniform(-14.0, 10.0));
+    add_skin(dice.log_uniform(130.0, 320.0), dice.log_uniform(0.05, 0.35), dice.uniform(1.0, 1.3), 0.01,
+             dice.uniform(-1.0, 3.0), dice, made);
     for (Ring& ring : made.rings) ring.amplitude *= skin;
+    if (!brushed && dice.chance(0.5)) add_shell(dice.uniform(-20.0, 2.0), dice, made);
     const double low = dice.log_uniform(180.0, 1800.0);
     const double high = dice.log_uniform(2000.0, 14000.0);
     const double rise = brushed ? dice.uniform(0.005, 0.03) : dice.uniform(0.0, 0.003);
-    made.hisses.push_back({low, high, 1.0, rise, dice.chance(0.2) ? dice.uniform(0.02, 0.15) : 0.0,
-                           dice.log_uniform(0.07, 0.45)});
+    // Gated reverberation holds its noise up, then cuts it.
+    const double hold = dice.chance(0.25) ? dice.uniform(0.02, 0.2) : 0.0;
+    made.hisses.push_back({low, high, 1.0, rise, hold, dice.log_uniform(0.07, 0.6)});
+    if (dice.chance(0.5)) {
+        made.hisses.push_back({dice.log_uniform(120.0, 600.0), dice.log_uniform(700.0, 3000.0), db(dice.uniform(-4.0, 10.0)), rise, hold, dice.log_uniform(0.05, 0.3)});
+    }
     made.hisses.push_back({300.0, dice.log_uniform(2000.0, 12000.0), db(dice.uniform(-10.0, 8.0)), 0.0005, 0.0,
                            dice.log_uniform(0.008, 0.05)});
     if (dice.chance(0.15)) {  // claps along

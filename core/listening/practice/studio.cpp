@@ -33,7 +33,7 @@ void add_room(std::vector<double>& signal, double rate, Dice& dice) {
         }
         for (std::size_t l = 0; l < kLines; ++l) {  // the Householder reflection keeps all energy
             lines[l][at[l]] = x + out[l] - 0.25 * sum;
-            at[l] = (at[l] + 1) % lines[l].size();
+            if (++at[l] == lines[l].size()) at[l] = 0;
         }
         x += wet * heard;
     }
@@ -69,12 +69,13 @@ void compress(std::vector<double>& signal, double rate, Dice& dice) {
     const double attack = std::exp(-1.0 / (dice.log_uniform(0.001, 0.03) * rate));
     const double release = std::exp(-1.0 / (dice.log_uniform(0.04, 0.4) * rate));
     const double tape = dice.log_uniform(0.03, 0.4);
-    double level = 0.0;
-    for (double& x : signal) {
-        const double now = std::abs(x);
+    constexpr std::size_t kStep = 16;  // samples for which the gain holds
+    double level = 0.0, gain = 1.0;
+    for (std::size_t n = 0; n < signal.size(); ++n) {
+        const double now = std::abs(signal[n]);
         level = now + (now > level ? attack : release) * (level - now);
-        if (level > threshold) x *= std::pow(threshold / level, strength);
-        x = std::tanh(tape * x) / tape;
+        if (n % kStep == 0) gain = level > threshold ? std::pow(threshold / level, strength) : 1.0;
+        signal[n] = std::tanh(tape * gain * signal[n]) / tape;
     }
 }
 
