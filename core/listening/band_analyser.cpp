@@ -12,12 +12,12 @@ namespace percussionist::listening {
 
 namespace {
 
-constexpr double kHop = 0.005;            ///< [s]
-constexpr double kLong = 0.0426;          ///< [s]: just under 2048 samples at 48 kHz
-constexpr double kShort = 0.0106;         ///< [s]: just under 512
-constexpr double kLowest = 30.0;          ///< [Hz]
-constexpr double kHighest = 17000.0;      ///< [Hz]
-constexpr float kSilence = 1e-12F;        ///< power below which nothing is heard
+constexpr double kHop = 0.005;        ///< [s]
+constexpr double kLong = 0.0426;      ///< [s]: just under 2048 samples at 48 kHz
+constexpr double kShort = 0.0106;     ///< [s]: just under 512
+constexpr double kLowest = 30.0;      ///< [Hz]
+constexpr double kHighest = 17000.0;  ///< [Hz]
+constexpr float kSilence = 1e-12F;    ///< power below which nothing is heard
 
 constexpr std::array<double, kQuick + 1> kQuickEdges = {30.0,   130.0,  300.0,   700.0,  1500.0,
                                                         3000.0, 6000.0, 10000.0, 17000.0};
@@ -58,8 +58,10 @@ double level_frequency(std::size_t band) noexcept {
 
 struct BandAnalyser::Window {
     Window(double seconds, double rate, std::span<const double> edges)
-        : length(static_cast<std::size_t>(seconds * rate)), shape(length),
-          padded(std::bit_ceil(length), 0.0F), spectrum(padded.size() / 2 + 1) {
+        : length(static_cast<std::size_t>(seconds * rate)),
+          shape(length),
+          padded(std::bit_ceil(length), 0.0F),
+          spectrum(padded.size() / 2 + 1) {
         double sum = 0.0;
         for (std::size_t n = 0; n < length; ++n) {
             const double turn = (static_cast<double>(n) + 0.5) / static_cast<double>(length);
@@ -131,6 +133,8 @@ void BandAnalyser::process(std::span<const double> samples, BandFrame& frame) no
     for (std::size_t b = 0; b < kQuick; ++b) frame.quick[b] = short_->level(b);
 }
 
-void BandAnalyser::reset() noexcept { std::fill(heard_.begin(), heard_.end(), 0.0); }
+void BandAnalyser::reset() noexcept {
+    std::fill(heard_.begin(), heard_.end(), 0.0);
+}
 
 }  // namespace percussionist::listening

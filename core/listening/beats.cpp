@@ -8,13 +8,13 @@ namespace percussionist::listening {
 
 namespace {
 
-constexpr double kStep = 0.005;         ///< of time [s]
-constexpr double kShortest = 0.28;      ///< beat [s]
-constexpr double kLongest = 1.1;        ///< beat [s]
-constexpr double kUsual = 0.52;         ///< beat [s]
-constexpr double kOctaves = 0.7;        ///< deviation of beats from the usual one
-constexpr double kBlur = 0.015;         ///< of an accent [s]
-constexpr double kSteadiness = 60.0;    ///< against accents
+constexpr double kStep = 0.005;       ///< of time [s]
+constexpr double kShortest = 0.28;    ///< beat [s]
+constexpr double kLongest = 1.1;      ///< beat [s]
+constexpr double kUsual = 0.52;       ///< beat [s]
+constexpr double kOctaves = 0.7;      ///< deviation of beats from the usual one
+constexpr double kBlur = 0.015;       ///< of an accent [s]
+constexpr double kSteadiness = 60.0;  ///< against accents
 
 /// How much a beat is to be expected where a drum sounds.
 double accent(const DrumStroke& stroke) {
@@ -45,7 +45,8 @@ double repeats(const std::vector<double>& grid, std::size_t lag) {
 
 double beat_length(const std::vector<double>& grid) {
     double best = kUsual, most = 0.0;
-    for (auto lag = static_cast<std::size_t>(kShortest / kStep); static_cast<double>(lag) * kStep <= kLongest; ++lag) {
+    for (auto lag = static_cast<std::size_t>(kShortest / kStep);
+         static_cast<double>(lag) * kStep <= kLongest; ++lag) {
         const double octaves = std::log2(static_cast<double>(lag) * kStep / kUsual) / kOctaves;
         const double score = std::exp(-0.5 * octaves * octaves) *
                              (repeats(grid, lag) + repeats(grid, 2 * lag) + repeats(grid, 4 * lag));
@@ -75,7 +76,9 @@ std::vector<double> best_path(const std::vector<double>& grid, double beat) {
         score[n] = grid[n] + best;
     }
     const auto reach = std::min(grid.size(), static_cast<std::size_t>(beat / kStep));
-    auto at = static_cast<std::size_t>(std::max_element(score.end() - static_cast<std::ptrdiff_t>(reach), score.end()) - score.begin());
+    auto at = static_cast<std::size_t>(
+        std::max_element(score.end() - static_cast<std::ptrdiff_t>(reach), score.end()) -
+        score.begin());
     std::vector<double> times;
     while (true) {
         times.push_back(static_cast<double>(at) * kStep);
@@ -87,7 +90,8 @@ std::vector<double> best_path(const std::vector<double>& grid, double beat) {
 }
 
 /// For each beat how much speaks for a bar's first (what a back beat's snare does not).
-std::vector<double> firstness(std::span<const DrumStroke> strokes, const std::vector<double>& beats, double near) {
+std::vector<double> firstness(std::span<const DrumStroke> strokes, const std::vector<double>& beats,
+                              double near) {
     std::vector<double> first(beats.size(), 0.0);
     for (const DrumStroke& stroke : strokes) {
         const auto after = std::lower_bound(beats.begin(), beats.end(), stroke.time - near);
@@ -109,7 +113,8 @@ void find_bars(std::span<const DrumStroke> strokes, Beats& beats) {
     const auto consider = [&](std::span<const double> bar, double handicap) {
         for (std::size_t phase = 0; phase < bar.size(); ++phase) {
             double score = 0.0;
-            for (std::size_t b = 0; b < first.size(); ++b) score += first[b] * bar[(b + bar.size() - phase) % bar.size()];
+            for (std::size_t b = 0; b < first.size(); ++b)
+                score += first[b] * bar[(b + bar.size() - phase) % bar.size()];
             score = handicap * score / static_cast<double>(first.size() + 1);
             if (score > most) {
                 most = score;

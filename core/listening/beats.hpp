@@ -18,7 +18,7 @@
 namespace percussionist::listening {
 
 struct Beats {
-    std::vector<double> times;       ///< [s]; empty where nothing is struck
+    std::vector<double> times;  ///< [s]; empty where nothing is struck
     int per_bar = 4;
     std::size_t first_downbeat = 0;  ///< index of the first beat that begins a bar
 

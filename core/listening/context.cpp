@@ -19,11 +19,11 @@ using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
 constexpr auto kClasses = static_cast<Index>(kDrumClasses);
-constexpr std::size_t kLike = 6;      ///< attacks most like one, that are asked
-constexpr float kStiffness = 0.15F;   ///< of the regression, per attack
-constexpr double kGrid = 0.01;        ///< of the rhythm [s]
-constexpr double kNear = 0.045;       ///< in time, still at the same place of the bar [s]
-constexpr double kLongestGap = 1.0;   ///< told of neighbours [s]
+constexpr std::size_t kLike = 6;     ///< attacks most like one, that are asked
+constexpr float kStiffness = 0.15F;  ///< of the regression, per attack
+constexpr double kGrid = 0.01;       ///< of the rhythm [s]
+constexpr double kNear = 0.045;      ///< in time, still at the same place of the bar [s]
+constexpr double kLongestGap = 1.0;  ///< told of neighbours [s]
 
 /// Where in the features the levels of a step of kLongSteps begin.
 constexpr Index levels_at(std::size_t step) {
@@ -39,7 +39,8 @@ MatrixXf added_spectra(const MatrixXf& features) {
     MatrixXf added(kBands / 2 * static_cast<Index>(kAfter.size()), features.cols());
     Index row = 0;
     for (const Index after : kAfter) {
-        const MatrixXf rise = features.middleRows(after, kBands) - features.middleRows(kBefore, kBands);
+        const MatrixXf rise =
+            features.middleRows(after, kBands) - features.middleRows(kBefore, kBands);
         for (Index b = 0; b < kBands; b += 2, ++row) {
             added.row(row) = (0.5F * (rise.row(b) + rise.row(b + 1))).cwiseMax(0.0F).cwiseMin(6.0F);
         }
@@ -60,7 +61,8 @@ MatrixXf explained(const MatrixXf& sounds, const MatrixXf& chances) {
     const VectorXf usual = chances.rowwise().mean();
     MatrixXf covariance = sounds * sounds.transpose();
     covariance.diagonal().array() += kStiffness * static_cast<float>(sounds.cols()) + 1.0F;
-    const MatrixXf weights = covariance.ldlt().solve(sounds * (chances.colwise() - usual).transpose());
+    const MatrixXf weights =
+        covariance.ldlt().solve(sounds * (chances.colwise() - usual).transpose());
     return (weights.transpose() * sounds).colwise() + usual;
 }
 
@@ -73,10 +75,14 @@ MatrixXf of_the_alike(const MatrixXf& sounds, const MatrixXf& chances) {
         const VectorXf distance = (sounds.colwise() - sounds.col(i)).colwise().squaredNorm();
         std::iota(order.begin(), order.end(), 0);
         const std::size_t asked = std::min(kLike + 1, order.size());
-        std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(asked), order.end(),
-                          [&](Index a, Index b) { return distance(a) != distance(b) ? distance(a) < distance(b) : a < b; });
+        std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(asked),
+                          order.end(), [&](Index a, Index b) {
+                              return distance(a) != distance(b) ? distance(a) < distance(b) : a < b;
+                          });
         for (std::size_t k = 0; k < asked; ++k) {
-            if (order[k] != i) mean.col(i) += chances.col(order[k]) / static_cast<float>(std::max<std::size_t>(asked - 1, 1));
+            if (order[k] != i)
+                mean.col(i) +=
+                    chances.col(order[k]) / static_cast<float>(std::max<std::size_t>(asked - 1, 1));
         }
     }
     return mean;
@@ -103,9 +109,11 @@ class Rhythm {
     [[nodiscard]] double best_lag(double shortest, double longest) const {
         double best = shortest;
         float most = -1.0F;
-        for (auto lag = static_cast<Index>(shortest / kGrid); static_cast<double>(lag) * kGrid <= longest && lag < pulses_.cols(); ++lag) {
+        for (auto lag = static_cast<Index>(shortest / kGrid);
+             static_cast<double>(lag) * kGrid <= longest && lag < pulses_.cols(); ++lag) {
             const Index size = pulses_.cols() - lag;
-            const float sum = (pulses_.leftCols(size) * pulses_.rightCols(size)).sum() / (static_cast<float>(size) + 200.0F);
+            const float sum = (pulses_.leftCols(size) * pulses_.rightCols(size)).sum() /
+                              (static_cast<float>(size) + 200.0F);
             if (sum > most) {
                 most = sum;
                 best = static_cast<double>(lag) * kGrid;
@@ -176,11 +184,14 @@ Eigen::MatrixXf context_of(const Evidence& evidence, const Judgement& first) {
         context.col(i).segment(5 * kClasses, kClasses) = chances.col(before);
         context.col(i).segment(6 * kClasses, kClasses) = chances.col(after);
         context.col(i).segment(7 * kClasses, kClasses) = usual;
-        context(9 * kClasses, i) = static_cast<float>(std::min(times[n] - times[static_cast<std::size_t>(before)], kLongestGap));
-        context(9 * kClasses + 1, i) = static_cast<float>(std::min(times[static_cast<std::size_t>(after)] - times[n], kLongestGap));
+        context(9 * kClasses, i) = static_cast<float>(
+            std::min(times[n] - times[static_cast<std::size_t>(before)], kLongestGap));
+        context(9 * kClasses + 1, i) = static_cast<float>(
+            std::min(times[static_cast<std::size_t>(after)] - times[n], kLongestGap));
         context(9 * kClasses + 2, i) = evidence.strengths[n];
     }
-    for (Index k = 0; k < kClasses; ++k) context.row(8 * kClasses + k).setConstant(quantile(odds.row(k), 0.95));
+    for (Index k = 0; k < kClasses; ++k)
+        context.row(8 * kClasses + k).setConstant(quantile(odds.row(k), 0.95));
     return context;
 }
 

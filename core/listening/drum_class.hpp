@@ -17,7 +17,11 @@ constexpr std::size_t kDrumClasses = 8;
 constexpr std::array<std::string_view, kDrumClasses> kDrumNames = {
     "kick", "snare", "closed-hat", "open-hat", "tom", "crash", "ride", "other"};
 
-constexpr std::size_t index(DrumClass drum) { return static_cast<std::size_t>(drum); }
-constexpr std::string_view name(DrumClass drum) { return kDrumNames[index(drum)]; }
+constexpr std::size_t index(DrumClass drum) {
+    return static_cast<std::size_t>(drum);
+}
+constexpr std::string_view name(DrumClass drum) {
+    return kDrumNames[index(drum)];
+}
 
 }  // namespace percussionist::listening

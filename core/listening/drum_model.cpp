@@ -22,7 +22,9 @@ constexpr int kZero = 2048;  ///< the middle of 12 bits
 constexpr long kMostRows = 4096;
 
 /// A line that stands for itself and an end of line in C++.
-std::string quoted(const std::string& line) { return '"' + line + "\\n\"\n"; }
+std::string quoted(const std::string& line) {
+    return '"' + line + "\\n\"\n";
+}
 
 std::string number(float value) {
     char text[32];
@@ -137,7 +139,9 @@ class Reader {
             const float step = real(text, "a step");
             expect(text.size() == 2 * static_cast<std::size_t>(columns), "two characters a weight");
             for (long c = 0; c < columns; ++c) {
-                layer.weights(row, c) = step * static_cast<float>(weight(text.substr(2 * static_cast<std::size_t>(c), 2)));
+                layer.weights(row, c) =
+                    step *
+                    static_cast<float>(weight(text.substr(2 * static_cast<std::size_t>(c), 2)));
             }
         }
         return layer;
@@ -171,6 +175,8 @@ std::string to_text(const DrumModel& model) {
            odds_text("second_threshold", model.second_threshold);
 }
 
-DrumModel model_from_text(std::string_view text) { return Reader(text).model(); }
+DrumModel model_from_text(std::string_view text) {
+    return Reader(text).model();
+}
 
 }  // namespace percussionist::listening

@@ -8,8 +8,8 @@
 // any hat: open_hat then tells which.
 //
 // As text a model is a list of quoted lines, so that the compiler can take it in as it is: the
-// model the project comes with is learnt_drums.inc, which `percussionist learn-drums` makes. Weights
-// have 12 bits each, two characters.
+// model the project comes with is learnt_drums.inc, which `percussionist learn-drums` makes.
+// Weights have 12 bits each, two characters.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ using Odds = std::array<float, kDrumClasses>;
 
 struct DrumModel {
     Network live, first, second;
-    Odds live_threshold{};    ///< log odds from which a class counts as struck
+    Odds live_threshold{};  ///< log odds from which a class counts as struck
     Odds second_threshold{};
 };
 

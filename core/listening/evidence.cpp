@@ -6,7 +6,8 @@ namespace percussionist::listening {
 
 Evidence evidence_of(const Heard& heard) {
     Evidence evidence;
-    evidence.features.resize(static_cast<Eigen::Index>(kFeatures), static_cast<Eigen::Index>(heard.attacks.size()));
+    evidence.features.resize(static_cast<Eigen::Index>(kFeatures),
+                             static_cast<Eigen::Index>(heard.attacks.size()));
     for (std::size_t i = 0; i < heard.attacks.size(); ++i) {
         const Attack& attack = heard.attacks[i];
         const double frame = static_cast<double>(attack.frame) + static_cast<double>(attack.within);

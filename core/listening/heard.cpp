@@ -19,7 +19,12 @@ double time_of(double frame, std::size_t hop, double rate) {
 Heard hear(std::span<const double> signal, double rate,
            const std::function<void(double)>& progress) {
     BandAnalyser analyser(rate);
-    Heard heard{.rate = rate, .hop = analyser.hop(), .frames = {}, .hearing = {}, .novelty = {}, .attacks = {}};
+    Heard heard{.rate = rate,
+                .hop = analyser.hop(),
+                .frames = {},
+                .hearing = {},
+                .novelty = {},
+                .attacks = {}};
     const std::size_t count = (signal.size() + heard.hop - 1) / heard.hop + 1;
     heard.frames.resize(count);
     std::vector<double> block(heard.hop);
@@ -29,11 +34,13 @@ Heard hear(std::span<const double> signal, double rate,
         std::copy_n(signal.begin() + static_cast<std::ptrdiff_t>(from), size, block.begin());
         std::fill(block.begin() + static_cast<std::ptrdiff_t>(size), block.end(), 0.0);
         analyser.process(block, heard.frames[f]);
-        if (progress && f % kTold == 0) progress(static_cast<double>(f) / static_cast<double>(count));
+        if (progress && f % kTold == 0)
+            progress(static_cast<double>(f) / static_cast<double>(count));
     }
     heard.hearing = hearing_of(heard.frames);
     Novelty novelty;
-    for (const BandFrame& frame : heard.frames) heard.novelty.push_back(novelty.push(frame, heard.hearing));
+    for (const BandFrame& frame : heard.frames)
+        heard.novelty.push_back(novelty.push(frame, heard.hearing));
     heard.attacks = attacks(heard.novelty);
     return heard;
 }

@@ -8,10 +8,10 @@ namespace percussionist::listening {
 
 namespace {
 
-constexpr float kSilent = 14.0F;   ///< below loud moments is silence [nats]
-constexpr float kNothing = -24.0F; ///< of which nothing is learnt [nats]
-constexpr double kMemory = 1600.0; ///< [frames]
-constexpr double kLoudPart = 0.95; ///< of all moments are less loud
+constexpr float kSilent = 14.0F;    ///< below loud moments is silence [nats]
+constexpr float kNothing = -24.0F;  ///< of which nothing is learnt [nats]
+constexpr double kMemory = 1600.0;  ///< [frames]
+constexpr double kLoudPart = 0.95;  ///< of all moments are less loud
 
 template <std::size_t N>
 void approach(std::array<float, N>& mean, const std::array<float, N>& value, float share) noexcept {
@@ -38,7 +38,8 @@ Hearing hearing_of(std::span<const BandFrame> frames) {
     for (const BandFrame& frame : frames) levels.push_back(loudness(frame));
     if (levels.empty()) return hearing;
     std::vector<float> sorted = levels;
-    const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(kLoudPart * static_cast<double>(sorted.size() - 1));
+    const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(
+                                          kLoudPart * static_cast<double>(sorted.size() - 1));
     std::nth_element(sorted.begin(), nth, sorted.end());
     hearing.loud = std::max(*nth, kNothing);
     float count = 0.0F;
@@ -59,7 +60,11 @@ void RunningHearing::push(const BandFrame& frame) noexcept {
     const auto share = static_cast<float>(1.0 / weight_);
     approach(hearing_.mean, frame, share);
     // A quantile: up by much when above, down by little when below.
-    hearing_.loud += level > hearing_.loud ? std::min(level - hearing_.loud, 0.06F / static_cast<float>(1.0 - kLoudPart) * 0.05F + 0.1F * (level - hearing_.loud)) : -0.003F;
+    hearing_.loud +=
+        level > hearing_.loud
+            ? std::min(level - hearing_.loud, 0.06F / static_cast<float>(1.0 - kLoudPart) * 0.05F +
+                                                  0.1F * (level - hearing_.loud))
+            : -0.003F;
 }
 
 }  // namespace percussionist::listening

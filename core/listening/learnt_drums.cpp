@@ -13,6 +13,8 @@ constexpr std::string_view kText(kLearnt, sizeof kLearnt - 1);
 
 }  // namespace
 
-DrumModel learnt_drums() { return model_from_text(kText); }
+DrumModel learnt_drums() {
+    return model_from_text(kText);
+}
 
 }  // namespace percussionist::listening

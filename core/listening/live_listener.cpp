@@ -12,18 +12,24 @@ namespace percussionist::listening {
 
 namespace {
 
-constexpr std::ptrdiff_t kRise = 4;       ///< frames within which an attack is steepest
-constexpr float kLoudFades = 0.05F;       ///< of what counts as loud, a stroke [nats]
-constexpr float kFirstLoud = 1.5F;        ///< the first stroke may be so much below loud [nats]
+constexpr std::ptrdiff_t kRise = 4;  ///< frames within which an attack is steepest
+constexpr float kLoudFades = 0.05F;  ///< of what counts as loud, a stroke [nats]
+constexpr float kFirstLoud = 1.5F;   ///< the first stroke may be so much below loud [nats]
 constexpr float kUnheard = -1000.0F;
 
-float nats(float decibels) { return decibels * 0.2302585F; }
+float nats(float decibels) {
+    return decibels * 0.2302585F;
+}
 
 }  // namespace
 
 LiveListener::LiveListener(const LiveSettings& settings, DrumModel model)
-    : settings_(settings), model_(std::move(model)), analyser_(settings.rate),
-      waiting_(analyser_.hop(), 0.0), frames_(kKept), features_(kLiveFeatures, 0.0F) {
+    : settings_(settings),
+      model_(std::move(model)),
+      analyser_(settings.rate),
+      waiting_(analyser_.hop(), 0.0),
+      frames_(kKept),
+      features_(kLiveFeatures, 0.0F) {
     reset();
 }
 
@@ -61,19 +67,24 @@ std::size_t LiveListener::next_frame() noexcept {
 
 void LiveListener::look_for_attack(float novelty) noexcept {
     const bool audible = loudness(frames_.back()) > nats(settings_.quietest);
-    const double gap = static_cast<double>((frame_ - attack_) * static_cast<std::ptrdiff_t>(analyser_.hop())) / settings_.rate;
+    const double gap =
+        static_cast<double>((frame_ - attack_) * static_cast<std::ptrdiff_t>(analyser_.hop())) /
+        settings_.rate;
     if (steepest_ == frame_ - 1) around_[2] = novelty;
     if (steepest_ >= 0 && frame_ - attack_ <= kRise) {
         if (novelty > around_[1]) {
             steepest_ = frame_;
             around_ = {before_, novelty, 0.0F};
         }
-    } else if (steepest_ < 0 && audible && novelty >= settings_.sensitivity && novelty > before_ && gap >= settings_.shortest_gap) {
+    } else if (steepest_ < 0 && audible && novelty >= settings_.sensitivity && novelty > before_ &&
+               gap >= settings_.shortest_gap) {
         attack_ = frame_;
         steepest_ = frame_;
         around_ = {before_, novelty, 0.0F};
-        tell({.kind = LiveEvent::Kind::attack, .time = time_of_frame(static_cast<double>(frame_)),
-              .velocity = 0.0, .confidence = 0.5});
+        tell({.kind = LiveEvent::Kind::attack,
+              .time = time_of_frame(static_cast<double>(frame_)),
+              .velocity = 0.0,
+              .confidence = 0.5});
     }
     before_ = novelty;
 }
@@ -88,8 +99,11 @@ void LiveListener::judge() noexcept {
     Odds odds{};
     for (std::size_t c = 0; c < kDrumClasses; ++c) odds[c] = said[c] - model_.live_threshold[c];
     for (const Verdict& verdict : verdicts(odds)) {
-        tell({.kind = LiveEvent::Kind::drum, .time = time, .drum = verdict.drum,
-              .velocity = velocity(verdict.drum), .confidence = verdict.confidence});
+        tell({.kind = LiveEvent::Kind::drum,
+              .time = time,
+              .drum = verdict.drum,
+              .velocity = velocity(verdict.drum),
+              .confidence = verdict.confidence});
     }
     judge_own(time);
 }
@@ -104,8 +118,11 @@ void LiveListener::judge_own(double time) noexcept {
         return;
     }
     if (const auto match = own_.nearest(print)) {
-        tell({.kind = LiveEvent::Kind::own_drum, .time = time, .own = match->drum,
-              .velocity = velocity_of(power, own_[match->drum].loudest), .confidence = match->confidence});
+        tell({.kind = LiveEvent::Kind::own_drum,
+              .time = time,
+              .own = match->drum,
+              .velocity = velocity_of(power, own_[match->drum].loudest),
+              .confidence = match->confidence});
     }
 }
 

@@ -23,21 +23,21 @@
 namespace percussionist::listening {
 
 struct LiveSettings {
-    double rate = 48000.0;           ///< [Hz]
-    float sensitivity = 1.5F;        ///< novelty from which something was struck
-    double shortest_gap = 0.04;      ///< between two attacks [s]
-    float quietest = -70.0F;         ///< below full scale nothing is heard [dB]
+    double rate = 48000.0;       ///< [Hz]
+    float sensitivity = 1.5F;    ///< novelty from which something was struck
+    double shortest_gap = 0.04;  ///< between two attacks [s]
+    float quietest = -70.0F;     ///< below full scale nothing is heard [dB]
 };
 
 /// What process() tells.
 struct LiveEvent {
     enum class Kind { attack, drum, own_drum };
     Kind kind = Kind::attack;
-    double time = 0.0;               ///< of the stroke, from the first sample [s]
+    double time = 0.0;  ///< of the stroke, from the first sample [s]
     DrumClass drum = DrumClass::other;
-    std::size_t own = 0;             ///< which of the player's own drums
-    double velocity = 0.0;           ///< above 0 and up to 1
-    double confidence = 0.0;         ///< 0.5 to 1
+    std::size_t own = 0;      ///< which of the player's own drums
+    double velocity = 0.0;    ///< above 0 and up to 1
+    double confidence = 0.0;  ///< 0.5 to 1
 };
 
 class LiveListener {
@@ -47,7 +47,8 @@ class LiveListener {
     /// Throws std::invalid_argument for a rate that it cannot hear at.
     LiveListener(const LiveSettings& settings, DrumModel model);
 
-    /// The next samples, as many as you like; tell(event, samples) for each event, after so many of them.
+    /// The next samples, as many as you like; tell(event, samples) for each event, after so many of
+    /// them.
     template <class Tell>
     void process(std::span<const float> samples, Tell tell) noexcept {
         for (std::size_t n = 0; n < samples.size(); ++n) {
@@ -91,11 +92,11 @@ class LiveListener {
     std::array<float, kDrumClasses> loud_{};  ///< usual power of loud strokes [nats]
     std::array<LiveEvent, kMostEvents> events_{};
     std::size_t told_ = 0;
-    std::ptrdiff_t frame_ = -1;       ///< number of the newest
-    std::ptrdiff_t attack_ = -1000;   ///< number of the one an attack began at
-    std::ptrdiff_t steepest_ = -1;    ///< of that attack; -1: judged
-    std::array<float, 3> around_{};   ///< novelty before, at and after the steepest
-    float before_ = 0.0F;             ///< novelty of the frame before
+    std::ptrdiff_t frame_ = -1;      ///< number of the newest
+    std::ptrdiff_t attack_ = -1000;  ///< number of the one an attack began at
+    std::ptrdiff_t steepest_ = -1;   ///< of that attack; -1: judged
+    std::array<float, 3> around_{};  ///< novelty before, at and after the steepest
+    float before_ = 0.0F;            ///< novelty of the frame before
     std::size_t learning_ = 0;
     int left_to_learn_ = 0;
 };

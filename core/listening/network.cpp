@@ -37,7 +37,8 @@ std::span<const float> Network::evaluate(std::span<const float> input) noexcept 
         Eigen::VectorXf& out = values_[l];
         out = layers_[l].bias;
         if (l == 0) {
-            const Eigen::Map<const Eigen::VectorXf> x(input.data(), static_cast<Eigen::Index>(input.size()));
+            const Eigen::Map<const Eigen::VectorXf> x(input.data(),
+                                                      static_cast<Eigen::Index>(input.size()));
             out.noalias() += layers_[l].weights * x;
         } else {
             out.noalias() += layers_[l].weights * values_[l - 1];

@@ -61,7 +61,8 @@ class Trainer {
         for (std::size_t l = 0; l + 1 < sizes.size(); ++l) {
             layers_.push_back({MatrixXf(sizes[l + 1], sizes[l]), VectorXf::Zero(sizes[l + 1])});
             const double scale = std::sqrt(2.0 / static_cast<double>(sizes[l]));
-            for (float& w : layers_.back().weights.reshaped()) w = static_cast<float>(scale * dice.normal());
+            for (float& w : layers_.back().weights.reshaped())
+                w = static_cast<float>(scale * dice.normal());
         }
         momenta_.resize(2 * layers_.size());
         order_.resize(static_cast<std::size_t>(examples.inputs.cols()));
@@ -69,12 +70,15 @@ class Trainer {
     }
 
     double epoch(double done) {
-        for (std::size_t i = order_.size(); i > 1; --i) std::swap(order_[i - 1], order_[dice_.whole(i)]);
+        for (std::size_t i = order_.size(); i > 1; --i)
+            std::swap(order_[i - 1], order_[dice_.whole(i)]);
         double loss = 0.0;
         const Index count = examples_.inputs.cols();
         for (Index at = 0; at + options_.batch <= count; at += options_.batch) {
-            const double progress = done + static_cast<double>(at) / static_cast<double>(count) / options_.epochs;
-            const auto rate = static_cast<float>(options_.rate * 0.5 * (1.0 + std::cos(std::numbers::pi * progress)));
+            const double progress =
+                done + static_cast<double>(at) / static_cast<double>(count) / options_.epochs;
+            const auto rate = static_cast<float>(options_.rate * 0.5 *
+                                                 (1.0 + std::cos(std::numbers::pi * progress)));
             loss += step(at, rate);
         }
         return loss / static_cast<double>(count);
@@ -99,7 +103,9 @@ class Trainer {
         }
         for (float& x : input_.reshaped()) {
             const float chance = quick_.uniform();
-            x = chance < options_.dropped_inputs ? 0.0F : x + options_.noise * 3.46F * (quick_.uniform() - 0.5F);
+            x = chance < options_.dropped_inputs
+                    ? 0.0F
+                    : x + options_.noise * 3.46F * (quick_.uniform() - 0.5F);
         }
     }
 
@@ -112,7 +118,8 @@ class Trainer {
             if (l + 1 < layers_.size()) {
                 MatrixXf mask(next.rows(), next.cols());
                 const float kept = 1.0F / (1.0F - options_.dropped);
-                for (float& m : mask.reshaped()) m = quick_.uniform() < options_.dropped ? 0.0F : kept;
+                for (float& m : mask.reshaped())
+                    m = quick_.uniform() < options_.dropped ? 0.0F : kept;
                 mask.array() *= (next.array() > 0.0F).cast<float>();
                 next.array() *= mask.array();
                 masks.push_back(std::move(mask));
@@ -122,14 +129,18 @@ class Trainer {
         const ArrayXXf odds = values.back().array();
         const ArrayXXf learnt = (target_.array() >= 0.0F).cast<float>();
         const ArrayXXf probability = 1.0F / (1.0F + (-odds).exp());
-        const double loss = (learnt * (odds.max(0.0F) - odds * target_.array() + (1.0F + (-odds.abs()).exp()).log())).sum();
-        MatrixXf gradient = learnt * (probability - target_.array()) / static_cast<float>(options_.batch);
+        const double loss = (learnt * (odds.max(0.0F) - odds * target_.array() +
+                                       (1.0F + (-odds.abs()).exp()).log()))
+                                .sum();
+        MatrixXf gradient =
+            learnt * (probability - target_.array()) / static_cast<float>(options_.batch);
         ++steps_;
         for (std::size_t l = layers_.size(); l-- > 0;) {
             const MatrixXf by_weights = gradient * values[l].transpose();
             const MatrixXf by_bias = gradient.rowwise().sum();
             MatrixXf below;
-            if (l > 0) below = (layers_[l].weights.transpose() * gradient).array() * masks[l - 1].array();
+            if (l > 0)
+                below = (layers_[l].weights.transpose() * gradient).array() * masks[l - 1].array();
             layers_[l].weights *= 1.0F - options_.decay * rate / static_cast<float>(options_.rate);
             momenta_[2 * l].step(layers_[l].weights, by_weights, rate, steps_);
             momenta_[2 * l + 1].step(layers_[l].bias, by_bias, rate, steps_);

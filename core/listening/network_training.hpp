@@ -24,11 +24,11 @@ struct TrainingOptions {
     std::vector<Eigen::Index> hidden = {64, 32};
     int epochs = 30;
     Eigen::Index batch = 128;
-    double rate = 1.5e-3;       ///< of the first step; falls to nothing
-    float dropped = 0.2F;       ///< share of hidden values
+    double rate = 1.5e-3;  ///< of the first step; falls to nothing
+    float dropped = 0.2F;  ///< share of hidden values
     float dropped_inputs = 0.05F;
-    float noise = 0.1F;         ///< added to inputs, of their deviation
-    float decay = 1e-4F;        ///< of weights, each step, times the rate's share
+    float noise = 0.1F;   ///< added to inputs, of their deviation
+    float decay = 1e-4F;  ///< of weights, each step, times the rate's share
 };
 
 /// progress(done, loss) after each epoch, done from 0 to 1.

@@ -7,10 +7,10 @@ namespace percussionist::listening {
 
 namespace {
 
-constexpr float kBelowUsual = 2.0F;    ///< the mean, still heard [nats]
-constexpr float kBelowLoudest = 14.0F; ///< a usual loud moment, still heard [nats]
-constexpr float kMost = 5.0F;          ///< a band may rise [nats]
-constexpr std::size_t kReach = 5;      ///< of a peak [frames]
+constexpr float kBelowUsual = 2.0F;     ///< the mean, still heard [nats]
+constexpr float kBelowLoudest = 14.0F;  ///< a usual loud moment, still heard [nats]
+constexpr float kMost = 5.0F;           ///< a band may rise [nats]
+constexpr std::size_t kReach = 5;       ///< of a peak [frames]
 
 struct Group {
     std::size_t first, end;
@@ -23,7 +23,8 @@ float Novelty::push(const BandFrame& frame, const Hearing& hearing) noexcept {
     std::array<float, kQuick> rise{};
     std::array<float, kQuick>& now = past_[count_ % kKept];
     for (std::size_t b = 0; b < kQuick; ++b) {
-        const float least = std::max(hearing.mean.quick[b] - kBelowUsual, hearing.loud - kBelowLoudest);
+        const float least =
+            std::max(hearing.mean.quick[b] - kBelowUsual, hearing.loud - kBelowLoudest);
         now[b] = std::max(frame.quick[b], least);
         if (count_ < kKept) continue;
         float before = past_[(count_ - 2) % kKept][b];

@@ -21,7 +21,8 @@ float power(const BandFrame& frame, std::size_t pair) noexcept {
 
 bool fits(std::string_view name) noexcept {
     return !name.empty() && name.size() <= OwnDrum::kLongestName &&
-           std::none_of(name.begin(), name.end(), [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == 0; });
+           std::none_of(name.begin(), name.end(),
+                        [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == 0; });
 }
 
 }  // namespace
@@ -86,7 +87,9 @@ std::optional<OwnDrums::Match> OwnDrums::nearest(const StrokePrint& print) const
             second = std::min(second, distance);
         }
     }
-    if (best) best->confidence = static_cast<double>(second) / static_cast<double>(second + nearest + 1e-6F);
+    if (best)
+        best->confidence =
+            static_cast<double>(second) / static_cast<double>(second + nearest + 1e-6F);
     return best;
 }
 
@@ -107,7 +110,9 @@ std::string to_text(const OwnDrums& drums) {
 OwnDrums own_drums_from_text(std::string_view text) {
     std::istringstream in{std::string(text)};
     const auto expect = [line = 1](bool holds, const char* what, int at) {
-        if (!holds) throw std::invalid_argument("own drums: line " + std::to_string(at + line) + ": expected " + what);
+        if (!holds)
+            throw std::invalid_argument("own drums: line " + std::to_string(at + line) +
+                                        ": expected " + what);
     };
     std::string line;
     expect(std::getline(in, line) && line == kTitle, kTitle, 0);
@@ -118,7 +123,8 @@ OwnDrums own_drums_from_text(std::string_view text) {
         words >> name;
         const std::size_t before = drums.size();
         const auto index = drums.named(name);
-        expect(index && drums.size() == before + 1, "a name of its own, of up to 31 characters", at);
+        expect(index && drums.size() == before + 1, "a name of its own, of up to 31 characters",
+               at);
         OwnDrum& drum = drums[*index];
         words >> drum.strokes >> drum.loudest;
         for (float& m : drum.mean) words >> m;

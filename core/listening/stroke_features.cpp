@@ -44,7 +44,8 @@ void stroke_features(std::span<const BandFrame> frames, std::size_t at, const He
     filler.colour(hearing.mean.floor, hearing.loud);
     for (const int step : kQuickSteps) filler.against(frame(step).quick, hearing.mean.quick);
     const bool live = features.size() < kFeatures;
-    const std::span<const int> steps = std::span(kLongSteps).first(live ? kLiveLongSteps : kLongSteps.size());
+    const std::span<const int> steps =
+        std::span(kLongSteps).first(live ? kLiveLongSteps : kLongSteps.size());
     for (const int step : steps) {
         filler.against(frame(step).level, hearing.mean.level);
         filler.against(frame(step).floor, hearing.mean.floor);

@@ -20,12 +20,17 @@ constexpr double kSoftest = 0.1;
 
 Bands bands_of(DrumClass drum) noexcept {
     switch (drum) {
-        case DrumClass::kick: return {0, 10};
-        case DrumClass::snare: return {8, 28};
-        case DrumClass::tom: return kTomBands;
+        case DrumClass::kick:
+            return {0, 10};
+        case DrumClass::snare:
+            return {8, 28};
+        case DrumClass::tom:
+            return kTomBands;
         case DrumClass::closed_hat:
-        case DrumClass::open_hat: return {24, kLevels};
-        default: return {16, kLevels};
+        case DrumClass::open_hat:
+            return {24, kLevels};
+        default:
+            return {16, kLevels};
     }
 }
 

@@ -27,7 +27,9 @@ void check(std::span<const double> signal) {
 }
 
 bool same_drum(DrumClass a, DrumClass b) {
-    const auto hat = [](DrumClass d) { return d == DrumClass::open_hat ? DrumClass::closed_hat : d; };
+    const auto hat = [](DrumClass d) {
+        return d == DrumClass::open_hat ? DrumClass::closed_hat : d;
+    };
     return hat(a) == hat(b);
 }
 
@@ -44,7 +46,8 @@ void leave_out_echoes(std::vector<DrumStroke>& strokes) {
             *earlier = stroke;
         }
     }
-    std::stable_sort(kept.begin(), kept.end(), [](const DrumStroke& a, const DrumStroke& b) { return a.time < b.time; });
+    std::stable_sort(kept.begin(), kept.end(),
+                     [](const DrumStroke& a, const DrumStroke& b) { return a.time < b.time; });
     strokes = std::move(kept);
 }
 
@@ -56,10 +59,12 @@ void powers_to_velocities(std::vector<DrumStroke>& strokes) {
             if (index(s.drum) == c) powers.push_back(s.velocity);
         }
         if (powers.empty()) continue;
-        const auto nth = powers.begin() + static_cast<std::ptrdiff_t>(kLoudPart * static_cast<double>(powers.size() - 1));
+        const auto nth = powers.begin() + static_cast<std::ptrdiff_t>(
+                                              kLoudPart * static_cast<double>(powers.size() - 1));
         std::nth_element(powers.begin(), nth, powers.end());
         for (DrumStroke& s : strokes) {
-            if (index(s.drum) == c) s.velocity = velocity_of(static_cast<float>(s.velocity), static_cast<float>(*nth));
+            if (index(s.drum) == c)
+                s.velocity = velocity_of(static_cast<float>(s.velocity), static_cast<float>(*nth));
         }
     }
 }
@@ -80,14 +85,18 @@ Transcription transcribe(std::span<const double> signal, double rate, const Drum
     for (std::size_t i = 0; i < evidence.times.size(); ++i) {
         Odds odds{};
         for (std::size_t c = 0; c < kDrumClasses; ++c) {
-            odds[c] = second.odds(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(i)) - model.second_threshold[c];
+            odds[c] = second.odds(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(i)) -
+                      model.second_threshold[c];
         }
         const std::size_t frame = made.heard.attacks[i].frame;
         for (const Verdict& verdict : verdicts(odds)) {
-            made.strokes.push_back({.time = evidence.times[i], .drum = verdict.drum,
+            made.strokes.push_back({.time = evidence.times[i],
+                                    .drum = verdict.drum,
                                     .velocity = added_power(made.heard.frames, frame, verdict.drum),
                                     .confidence = verdict.confidence,
-                                    .pitch = verdict.drum == DrumClass::tom ? pitch_of(made.heard.frames, frame) : 0.0});
+                                    .pitch = verdict.drum == DrumClass::tom
+                                                 ? pitch_of(made.heard.frames, frame)
+                                                 : 0.0});
         }
     }
     leave_out_echoes(made.strokes);

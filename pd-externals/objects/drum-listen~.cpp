@@ -40,13 +40,19 @@ class DrumListen : public Object {
     void learn(const Arguments& a) {
         OwnDrums drums = listener_->own_drums();
         const auto drum = drums.named(a.word(0));
-        if (!drum) throw std::runtime_error("expected a name of up to 31 characters, for one of at most 16 drums");
+        if (!drum)
+            throw std::runtime_error(
+                "expected a name of up to 31 characters, for one of at most 16 drums");
         listener_->set_own_drums(drums);
         listener_->learn(*drum, a.integer(1));
     }
     void forget(const Arguments&) { listener_->set_own_drums({}); }
-    void save(const Arguments& a) { write_text(a.word(0), listening::to_text(listener_->own_drums())); }
-    void load(const Arguments& a) { listener_->set_own_drums(listening::own_drums_from_text(read_text(a.word(0)))); }
+    void save(const Arguments& a) {
+        write_text(a.word(0), listening::to_text(listener_->own_drums()));
+    }
+    void load(const Arguments& a) {
+        listener_->set_own_drums(listening::own_drums_from_text(read_text(a.word(0))));
+    }
 
     void sensitivity(const Arguments& a) {
         settings_.sensitivity = static_cast<float>(a.number(0));
@@ -59,9 +65,11 @@ class DrumListen : public Object {
 
     void print(const Arguments&) {
         const OwnDrums& drums = listener_->own_drums();
-        post("sensitivity " + std::to_string(settings_.sensitivity) + ", drums of your own: " + std::to_string(drums.size()));
+        post("sensitivity " + std::to_string(settings_.sensitivity) +
+             ", drums of your own: " + std::to_string(drums.size()));
         for (std::size_t i = 0; i < drums.size(); ++i) {
-            post(std::string(drums[i].name.data()) + ", learnt from " + std::to_string(drums[i].strokes) + " strokes");
+            post(std::string(drums[i].name.data()) + ", learnt from " +
+                 std::to_string(drums[i].strokes) + " strokes");
         }
     }
 
@@ -75,11 +83,12 @@ class DrumListen : public Object {
     }
 
     void process(const Block& block) noexcept override {
-        listener_->process({block.inputs[0], block.size}, [&](const LiveEvent& event, std::size_t samples) {
-            if (count_ == kMostWaiting) return;
-            const double now = static_cast<double>(heard_ + samples) / block.sample_rate;
-            waiting_[count_++] = {event, now - event.time};
-        });
+        listener_->process(
+            {block.inputs[0], block.size}, [&](const LiveEvent& event, std::size_t samples) {
+                if (count_ == kMostWaiting) return;
+                const double now = static_cast<double>(heard_ + samples) / block.sample_rate;
+                waiting_[count_++] = {event, now - event.time};
+            });
         heard_ += block.size;
         if (count_ > 0) clock_.delay(0.0);
     }
@@ -105,7 +114,8 @@ class DrumListen : public Object {
         const bool own = event.kind == LiveEvent::Kind::own_drum;
         const char* name = own ? listener_->own_drums()[event.own].name.data()
                                : listening::name(event.drum).data();
-        send(0, own ? "own" : "drum", std::array<Atom, 4>{name, event.velocity, event.confidence, waiting.age});
+        send(0, own ? "own" : "drum",
+             std::array<Atom, 4>{name, event.velocity, event.confidence, waiting.age});
     }
 
     listening::LiveSettings settings_;
@@ -128,10 +138,13 @@ PDX_SETUP(setup_drum0x2dlisten_tilde) {
                      "the next strokes are a drum of your own", &DrumListen::learn)
             .message("forget", {}, "all drums of your own", &DrumListen::forget)
             .message("save", {word("file")}, "the drums of your own", &DrumListen::save)
-            .message("load", {word("file")}, "the drums of your own, as save wrote them", &DrumListen::load)
-            .message("sensitivity", {sensitivity}, "how sudden a sound must be: less hears more", &DrumListen::sensitivity)
+            .message("load", {word("file")}, "the drums of your own, as save wrote them",
+                     &DrumListen::load)
+            .message("sensitivity", {sensitivity}, "how sudden a sound must be: less hears more",
+                     &DrumListen::sensitivity)
             .message("reset", {}, "forgets what it heard, but not your drums", &DrumListen::reset)
             .message("print", {}, "prints settings and your drums", &DrumListen::print)
             .signal_inlet("what to listen to")
-            .outlet("attack AGE; drum NAME VELOCITY CONFIDENCE AGE; own, the same, of your drums: AGE in s since it sounded"));
+            .outlet("attack AGE; drum NAME VELOCITY CONFIDENCE AGE; own, the same, of your drums: "
+                    "AGE in s since it sounded"));
 }

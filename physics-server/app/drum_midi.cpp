@@ -29,21 +29,25 @@ class Clock {
         lead_in_ = first < 1e-3 ? 0 : std::max<Tick>(1, std::lround(first / usual));
         if (lead_in_ > 0) begin_piece(0, 0.0, first / static_cast<double>(lead_in_), lead_in_);
         for (std::size_t b = 0; b + 1 < beats.times.size(); ++b) {
-            begin_piece(lead_in_ + static_cast<Tick>(b), beats.times[b], beats.times[b + 1] - beats.times[b], 1);
+            begin_piece(lead_in_ + static_cast<Tick>(b), beats.times[b],
+                        beats.times[b + 1] - beats.times[b], 1);
         }
         if (pieces_.empty()) begin_piece(0, 0.0, usual, 1);
     }
 
     [[nodiscard]] Tick tick(double time) const {
-        auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), time, [](double t, const Piece& p) { return t < p.time; });
+        auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), time,
+                                      [](double t, const Piece& p) { return t < p.time; });
         if (piece != pieces_.begin()) --piece;
         const double quarters = (time - piece->time) / piece->seconds_per_quarter;
-        return std::max<Tick>(0, piece->tick + std::llround(quarters * static_cast<double>(kQuarter)));
+        return std::max<Tick>(0,
+                              piece->tick + std::llround(quarters * static_cast<double>(kQuarter)));
     }
     [[nodiscard]] Tick lead_in() const { return lead_in_; }
     [[nodiscard]] std::vector<score::TempoChange> tempos() const {
         std::vector<score::TempoChange> changes;
-        for (const Piece& piece : pieces_) changes.push_back({piece.tick, piece.seconds_per_quarter});
+        for (const Piece& piece : pieces_)
+            changes.push_back({piece.tick, piece.seconds_per_quarter});
         return changes;
     }
 
@@ -57,7 +61,8 @@ class Clock {
     void begin_piece(Tick beat, double time, double length, Tick beats) {
         const double from = pieces_.empty() ? time : end_;
         const double wanted = time + length * static_cast<double>(beats);
-        const double tempo = std::max(1e-6 * std::round(1e6 * (wanted - from) / static_cast<double>(beats)), 1e-6);
+        const double tempo =
+            std::max(1e-6 * std::round(1e6 * (wanted - from) / static_cast<double>(beats)), 1e-6);
         pieces_.push_back({beat * kQuarter, from, tempo});
         end_ = from + tempo * static_cast<double>(beats);
     }
@@ -69,7 +74,8 @@ class Clock {
 
 /// Bars begin where a downbeat was found; what is before it is a bar of its own.
 std::vector<score::MetreChange> metres(const Beats& beats, Tick lead_in) {
-    const auto before = static_cast<int>((lead_in + static_cast<Tick>(beats.first_downbeat)) % beats.per_bar);
+    const auto before =
+        static_cast<int>((lead_in + static_cast<Tick>(beats.first_downbeat)) % beats.per_bar);
     std::vector<score::MetreChange> changes;
     if (before > 0) changes.push_back({0, before, 4});
     changes.push_back({before * kQuarter, beats.per_bar, 4});
@@ -89,14 +95,22 @@ int midi_velocity(const DrumStroke& stroke) {
 
 int midi_key(const DrumStroke& stroke) {
     switch (stroke.drum) {
-        case DrumClass::kick: return 36;
-        case DrumClass::snare: return 38;
-        case DrumClass::closed_hat: return 42;
-        case DrumClass::open_hat: return 46;
-        case DrumClass::tom: return tom_key(stroke.pitch);
-        case DrumClass::crash: return 49;
-        case DrumClass::ride: return 51;
-        default: return 37;
+        case DrumClass::kick:
+            return 36;
+        case DrumClass::snare:
+            return 38;
+        case DrumClass::closed_hat:
+            return 42;
+        case DrumClass::open_hat:
+            return 46;
+        case DrumClass::tom:
+            return tom_key(stroke.pitch);
+        case DrumClass::crash:
+            return 49;
+        case DrumClass::ride:
+            return 51;
+        default:
+            return 37;
     }
 }
 
@@ -110,8 +124,11 @@ files::MidiFile to_midi(const listening::Transcription& transcription, const Bea
     file.tempos = clock.tempos();
     file.metres = metres(beats, clock.lead_in());
     for (const DrumStroke& stroke : transcription.strokes) {
-        file.notes.push_back({.tick = clock.tick(stroke.time), .key = midi_key(stroke),
-                              .velocity = midi_velocity(stroke), .channel = kDrumChannel, .percussion = true});
+        file.notes.push_back({.tick = clock.tick(stroke.time),
+                              .key = midi_key(stroke),
+                              .velocity = midi_velocity(stroke),
+                              .channel = kDrumChannel,
+                              .percussion = true});
     }
     return file;
 }

@@ -39,14 +39,18 @@ std::string counts(const listening::Transcription& made) {
     for (const auto& stroke : made.strokes) ++each[listening::index(stroke.drum)];
     std::string text;
     for (std::size_t c = 0; c < each.size(); ++c) {
-        if (each[c] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", each[c], listening::kDrumNames[c]);
+        if (each[c] > 0)
+            text +=
+                fmt::format("{}{} {}", text.empty() ? "" : ", ", each[c], listening::kDrumNames[c]);
     }
     return text.empty() ? "nothing that sounds like a drum" : text;
 }
 
 void transcribe(TranscribeOptions options) {
-    if (options.midi.empty()) options.midi = std::filesystem::path(options.recording).replace_extension(".mid");
-    if (options.csv.empty()) options.csv = std::filesystem::path(options.midi).replace_extension(".csv");
+    if (options.midi.empty())
+        options.midi = std::filesystem::path(options.recording).replace_extension(".mid");
+    if (options.csv.empty())
+        options.csv = std::filesystem::path(options.midi).replace_extension(".csv");
     const listening::DrumModel model = model_of(options.model);
     const files::Audio audio = files::read_audio(options.recording);
     const std::string name = options.recording.filename().string();
@@ -65,7 +69,8 @@ void transcribe(TranscribeOptions options) {
     files::write_text(options.csv, to_csv(made));
     fmt::print("{}: {:.1f} s: {}\n", name, duration, counts(made));
     if (!beats.times.empty()) {
-        fmt::print("tempo: {:.1f} beats a minute, {} to a bar\n", 60.0 / beats.seconds_per_beat(), beats.per_bar);
+        fmt::print("tempo: {:.1f} beats a minute, {} to a bar\n", 60.0 / beats.seconds_per_beat(),
+                   beats.per_bar);
     }
     fmt::print("written: {}, {}\n", options.midi.string(), options.csv.string());
     if (!options.plot.empty()) {
@@ -80,11 +85,17 @@ void add_transcribe_command(CLI::App& program) {
     auto options = std::make_shared<TranscribeOptions>();
     CLI::App& command = *program.add_subcommand(
         "transcribe", "hear which drums are struck when in a recording, and write it as MIDI");
-    command.add_option("recording", options->recording, "WAV, FLAC, OGG, AIFF; any rate from 8 kHz, any channels")->required();
+    command
+        .add_option("recording", options->recording,
+                    "WAV, FLAC, OGG, AIFF; any rate from 8 kHz, any channels")
+        ->required();
     command.add_option("-o,--output", options->midi, "the MIDI file; else beside the recording");
-    command.add_option("--csv", options->csv, "times, drums, velocities, confidences; else beside the MIDI file");
-    command.add_option("--plot", options->plot, "a picture (SVG): spectrogram, strokes, classes, beats");
-    command.add_option("--model", options->model, "what learn-drums wrote, instead of what comes with the program");
+    command.add_option("--csv", options->csv,
+                       "times, drums, velocities, confidences; else beside the MIDI file");
+    command.add_option("--plot", options->plot,
+                       "a picture (SVG): spectrogram, strokes, classes, beats");
+    command.add_option("--model", options->model,
+                       "what learn-drums wrote, instead of what comes with the program");
     command.callback([options] { transcribe(*options); });
 }
 

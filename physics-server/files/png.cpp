@@ -9,17 +9,21 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-void append(Bytes& to, std::span<const std::uint8_t> more) { to.insert(to.end(), more.begin(), more.end()); }
+void append(Bytes& to, std::span<const std::uint8_t> more) {
+    to.insert(to.end(), more.begin(), more.end());
+}
 
 void append_number(Bytes& to, std::uint32_t value) {
-    for (int shift = 24; shift >= 0; shift -= 8) to.push_back(static_cast<std::uint8_t>(value >> static_cast<unsigned>(shift)));
+    for (int shift = 24; shift >= 0; shift -= 8)
+        to.push_back(static_cast<std::uint8_t>(value >> static_cast<unsigned>(shift)));
 }
 
 std::uint32_t cyclic_check(std::span<const std::uint8_t> bytes) {
     std::uint32_t check = 0xFFFFFFFFU;
     for (const std::uint8_t byte : bytes) {
         check ^= byte;
-        for (int bit = 0; bit < 8; ++bit) check = (check >> 1U) ^ ((check & 1U) != 0 ? 0xEDB88320U : 0U);
+        for (int bit = 0; bit < 8; ++bit)
+            check = (check >> 1U) ^ ((check & 1U) != 0 ? 0xEDB88320U : 0U);
     }
     return ~check;
 }
@@ -51,7 +55,8 @@ Bytes stored(std::span<const std::uint8_t> bytes) {
         const auto low = static_cast<std::uint8_t>(size & 0xFFU);
         const auto high = static_cast<std::uint8_t>(size >> 8U);
         out.push_back(at + size == bytes.size() ? 1 : 0);
-        for (const unsigned byte : {+low, +high, 255 - low, 255 - high}) out.push_back(static_cast<std::uint8_t>(byte));
+        for (const unsigned byte : {+low, +high, 255 - low, 255 - high})
+            out.push_back(static_cast<std::uint8_t>(byte));
         append(out, bytes.subspan(at, size));
     }
     append_number(out, adler(bytes));
@@ -60,9 +65,11 @@ Bytes stored(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-std::vector<std::uint8_t> png(std::size_t width, std::size_t height, std::span<const std::uint8_t> pixels,
+std::vector<std::uint8_t> png(std::size_t width, std::size_t height,
+                              std::span<const std::uint8_t> pixels,
                               std::span<const Colour> palette) {
-    if (width == 0 || height == 0 || pixels.size() != width * height || palette.empty() || palette.size() > 256) {
+    if (width == 0 || height == 0 || pixels.size() != width * height || palette.empty() ||
+        palette.size() > 256) {
         throw std::invalid_argument("png: expected width times height pixels and 1 to 256 colours");
     }
     Bytes header;
@@ -85,11 +92,13 @@ std::vector<std::uint8_t> png(std::size_t width, std::size_t height, std::span<c
 }
 
 std::string base64(std::span<const std::uint8_t> bytes) {
-    constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    constexpr const char* kDigits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
     for (std::size_t at = 0; at < bytes.size(); at += 3) {
         std::uint32_t three = 0;
-        for (std::size_t k = 0; k < 3; ++k) three = (three << 8U) | (at + k < bytes.size() ? bytes[at + k] : 0U);
+        for (std::size_t k = 0; k < 3; ++k)
+            three = (three << 8U) | (at + k < bytes.size() ? bytes[at + k] : 0U);
         for (unsigned digit = 0; digit < 4; ++digit) {
             text += at + digit <= bytes.size() ? kDigits[(three >> (18U - 6U * digit)) & 63U] : '=';
         }

@@ -36,9 +36,12 @@ std::string text(const char* format, Values... values) {
 std::string escaped(const std::string& plain) {
     std::string out;
     for (const char c : plain) {
-        if (c == '&') out += "&amp;";
-        else if (c == '<') out += "&lt;";
-        else out += c;
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else
+            out += c;
     }
     return out;
 }
@@ -81,7 +84,8 @@ class Drawing {
   public:
     Drawing(const Transcription& made, const Beats& beats, const std::string& title)
         : made_(made), beats_(beats) {
-        duration_ = static_cast<double>(made.heard.frames.size() * made.heard.hop) / made.heard.rate;
+        duration_ =
+            static_cast<double>(made.heard.frames.size() * made.heard.hop) / made.heard.rate;
         inner_ = std::clamp(duration_ * kPixelsPerSecond, kNarrowest, kWidest);
         rows_top_ = kTop + kSpectrum + kGap;
         bottom_ = rows_top_ + kRow * kDrumClasses;
@@ -99,31 +103,46 @@ class Drawing {
     }
 
   private:
-    [[nodiscard]] double x(double time) const { return kLeft + inner_ * time / std::max(duration_, 1e-3); }
+    [[nodiscard]] double x(double time) const {
+        return kLeft + inner_ * time / std::max(duration_, 1e-3);
+    }
 
     void begin(const std::string& title) {
         const double width = kLeft + inner_ + kRight, height = bottom_ + 40.0;
-        out_ = text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\" "
-                    "font-family=\"sans-serif\" font-size=\"12\">\n", width, height, width, height);
+        out_ = text(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" viewBox=\"0 "
+            "0 %.0f %.0f\" "
+            "font-family=\"sans-serif\" font-size=\"12\">\n",
+            width, height, width, height);
         out_ += "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-        out_ += text("<text x=\"%.0f\" y=\"28\" font-size=\"16\">", kLeft) + escaped(title) + "</text>\n";
+        out_ += text("<text x=\"%.0f\" y=\"28\" font-size=\"16\">", kLeft) + escaped(title) +
+                "</text>\n";
     }
 
     void label(double left, double y, const char* anchor, const std::string& what) {
-        out_ += text("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"#333\">", left, y, anchor) + what + "</text>\n";
+        out_ +=
+            text("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"#333\">", left, y, anchor) +
+            what + "</text>\n";
     }
     void line(double left, double top, double bottom, const char* colour, double width) {
-        out_ += text("<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%.2f\"/>\n", left, left, top, bottom, colour, width);
+        out_ += text(
+            "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" "
+            "stroke-width=\"%.2f\"/>\n",
+            left, left, top, bottom, colour, width);
     }
 
     void spectrogram() {
-        out_ += text("<image x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" preserveAspectRatio=\"none\" href=\"data:image/png;base64,", kLeft, kTop, inner_, kSpectrum);
+        out_ += text(
+            "<image x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" "
+            "preserveAspectRatio=\"none\" href=\"data:image/png;base64,",
+            kLeft, kTop, inner_, kSpectrum);
         out_ += base64(picture(made_.heard)) + "\"/>\n";
         for (const double hz : {50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0, 5000.0, 10000.0}) {
             const double low = level_frequency(0), high = level_frequency(kLevels - 1);
             const double up = std::log(hz / low) / std::log(high / low);
             const double band = (up * (kLevels - 1) + 0.5) / kLevels;
-            label(kLeft - 8.0, kTop + kSpectrum * (1.0 - band) + 4.0, "end", text(hz < 1000.0 ? "%.0f Hz" : "%.0f kHz", hz < 1000.0 ? hz : hz / 1000.0));
+            label(kLeft - 8.0, kTop + kSpectrum * (1.0 - band) + 4.0, "end",
+                  text(hz < 1000.0 ? "%.0f Hz" : "%.0f kHz", hz < 1000.0 ? hz : hz / 1000.0));
         }
     }
     void attacks() {
@@ -134,26 +153,33 @@ class Drawing {
     void rows() {
         for (std::size_t c = 0; c < kDrumClasses; ++c) {
             const double top = rows_top_ + kRow * static_cast<double>(c);
-            out_ += text("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\"/>\n", kLeft, top, inner_, kRow, c % 2 == 0 ? "#f4f6f7" : "#ffffff");
+            out_ +=
+                text("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\"/>\n",
+                     kLeft, top, inner_, kRow, c % 2 == 0 ? "#f4f6f7" : "#ffffff");
             label(kLeft - 8.0, top + 0.68 * kRow, "end", std::string(kDrumNames[c]));
         }
     }
     void bars() {
         for (std::size_t b = 0; b < beats_.times.size(); ++b) {
-            const auto from_bar = static_cast<std::ptrdiff_t>(b) - static_cast<std::ptrdiff_t>(beats_.first_downbeat);
+            const auto from_bar =
+                static_cast<std::ptrdiff_t>(b) - static_cast<std::ptrdiff_t>(beats_.first_downbeat);
             const bool first = from_bar % beats_.per_bar == 0;
-            line(x(beats_.times[b]), rows_top_, bottom_, first ? "#808b96" : "#d5d8dc", first ? 1.2 : 0.8);
+            line(x(beats_.times[b]), rows_top_, bottom_, first ? "#808b96" : "#d5d8dc",
+                 first ? 1.2 : 0.8);
         }
     }
     void strokes() {
         for (const DrumStroke& s : made_.strokes) {
             const double y = rows_top_ + kRow * (static_cast<double>(index(s.drum)) + 0.5);
             const double sure = std::clamp(0.25 + 1.5 * (s.confidence - 0.5), 0.25, 1.0);
-            out_ += text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\" fill-opacity=\"%.2f\"/>\n", x(s.time), y, 2.5 + 6.5 * s.velocity, kColours[index(s.drum)], sure);
+            out_ += text(
+                "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\" fill-opacity=\"%.2f\"/>\n",
+                x(s.time), y, 2.5 + 6.5 * s.velocity, kColours[index(s.drum)], sure);
         }
     }
     void time_axis() {
-        const double step = duration_ * kPixelsPerSecond <= kWidest ? 1.0 : std::ceil(40.0 * duration_ / inner_);
+        const double step =
+            duration_ * kPixelsPerSecond <= kWidest ? 1.0 : std::ceil(40.0 * duration_ / inner_);
         for (double t = 0.0; t <= duration_; t += step) {
             line(x(t), bottom_, bottom_ + 5.0, "#333", 1.0);
             label(x(t), bottom_ + 20.0, "middle", text("%.0f s", t));
@@ -168,7 +194,8 @@ class Drawing {
 
 }  // namespace
 
-std::string spectrogram_svg(const Transcription& transcription, const Beats& beats, const std::string& title) {
+std::string spectrogram_svg(const Transcription& transcription, const Beats& beats,
+                            const std::string& title) {
     return Drawing(transcription, beats, title).svg();
 }
 

@@ -29,8 +29,8 @@ namespace {
 using Times = std::map<std::string, std::vector<double>>;
 
 constexpr std::array<const char*, 5> kClasses = {"KD", "SD", "HH", "TT", "CY"};
-constexpr std::size_t kMain = 3;       ///< of them count in the mean
-constexpr double kTolerance = 0.05;    ///< [s]
+constexpr std::size_t kMain = 3;     ///< of them count in the mean
+constexpr double kTolerance = 0.05;  ///< [s]
 
 struct Count {
     int right = 0, wrong = 0, missed = 0;
@@ -48,14 +48,20 @@ struct Count {
 const char* annotated_as(listening::DrumClass drum) {
     using listening::DrumClass;
     switch (drum) {
-        case DrumClass::kick: return "KD";
-        case DrumClass::snare: return "SD";
+        case DrumClass::kick:
+            return "KD";
+        case DrumClass::snare:
+            return "SD";
         case DrumClass::closed_hat:
-        case DrumClass::open_hat: return "HH";
-        case DrumClass::tom: return "TT";
+        case DrumClass::open_hat:
+            return "HH";
+        case DrumClass::tom:
+            return "TT";
         case DrumClass::crash:
-        case DrumClass::ride: return "CY";
-        default: return "OT";
+        case DrumClass::ride:
+            return "CY";
+        default:
+            return "OT";
     }
 }
 
@@ -69,7 +75,8 @@ Times read_annotations(const std::filesystem::path& path) {
 }
 
 /// Pairs in order of time; errors are those of the pairs [s].
-Count compare(std::vector<double> expected, std::vector<double> found, std::vector<double>& errors) {
+Count compare(std::vector<double> expected, std::vector<double> found,
+              std::vector<double>& errors) {
     std::sort(expected.begin(), expected.end());
     std::sort(found.begin(), found.end());
     Count count;
@@ -93,8 +100,10 @@ Count compare(std::vector<double> expected, std::vector<double> found, std::vect
 class Report {
   public:
     explicit Report(listening::DrumModel model) : model_(std::move(model)) {
-        std::puts("| recording | KD | SD | HH | mean | TT | CY | onset error ms | within 10 ms | x real time |\n"
-                  "|---|---|---|---|---|---|---|---|---|---|");
+        std::puts(
+            "| recording | KD | SD | HH | mean | TT | CY | onset error ms | within 10 ms | x real "
+            "time |\n"
+            "|---|---|---|---|---|---|---|---|---|---|");
     }
 
     void recording(const std::filesystem::path& path, const Times& expected) {
@@ -104,7 +113,8 @@ class Report {
         const auto made = listening::transcribe(signal, audio.rate, model_);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         Times found;
-        for (const auto& stroke : made.strokes) found[annotated_as(stroke.drum)].push_back(stroke.time);
+        for (const auto& stroke : made.strokes)
+            found[annotated_as(stroke.drum)].push_back(stroke.time);
         std::array<Count, kClasses.size()> counts;
         std::vector<double> errors;
         for (std::size_t c = 0; c < kClasses.size(); ++c) {
@@ -118,7 +128,9 @@ class Report {
 
     void total(const char* what) {
         line(what, pooled_, errors_, 0.0);
-        if (files_ > 0) std::printf("| mean of the %d files' means | | | | %.3f | | | | | |\n", files_, sum_ / files_);
+        if (files_ > 0)
+            std::printf("| mean of the %d files' means | | | | %.3f | | | | | |\n", files_,
+                        sum_ / files_);
         pooled_ = {};
         errors_.clear();
         files_ = 0;
@@ -151,22 +163,28 @@ class Report {
         if (!count.any()) {
             std::snprintf(text, sizeof text, "none (%d)", count.wrong);
         } else {
-            std::snprintf(text, sizeof text, "%.3f (%d %d %d)", count.f(), count.right, count.wrong, count.missed);
+            std::snprintf(text, sizeof text, "%.3f (%d %d %d)", count.f(), count.right, count.wrong,
+                          count.missed);
         }
         return text;
     }
 
-    static void line(const std::string& name, const Counts& counts, const std::vector<double>& errors, double speed) {
+    static void line(const std::string& name, const Counts& counts,
+                     const std::vector<double>& errors, double speed) {
         std::vector<double> sizes;
         std::size_t near = 0;
         for (const double error : errors) {
             sizes.push_back(std::abs(error));
             near += std::abs(error) <= 0.01 ? 1 : 0;
         }
-        std::printf("| %s | %s | %s | %s | %.3f | %s | %s | %.1f (median %+.1f) | %.0f %% |", name.c_str(),
-                    cell(counts[0]).c_str(), cell(counts[1]).c_str(), cell(counts[2]).c_str(), mean(counts),
-                    cell(counts[3]).c_str(), cell(counts[4]).c_str(), 1e3 * listening::median(sizes),
-                    1e3 * listening::median(errors), errors.empty() ? 0.0 : 100.0 * static_cast<double>(near) / static_cast<double>(errors.size()));
+        std::printf("| %s | %s | %s | %s | %.3f | %s | %s | %.1f (median %+.1f) | %.0f %% |",
+                    name.c_str(), cell(counts[0]).c_str(), cell(counts[1]).c_str(),
+                    cell(counts[2]).c_str(), mean(counts), cell(counts[3]).c_str(),
+                    cell(counts[4]).c_str(), 1e3 * listening::median(sizes),
+                    1e3 * listening::median(errors),
+                    errors.empty()
+                        ? 0.0
+                        : 100.0 * static_cast<double>(near) / static_cast<double>(errors.size()));
         if (speed > 0.0) std::printf(" %.0f", speed);
         std::puts(" |");
     }
@@ -207,7 +225,8 @@ int main(int argc, char** argv) {
                 const std::filesystem::path sound = name.substr(0, name.size() - 10) + kind;
                 if (std::filesystem::exists(sound)) report.recording(sound, read_annotations(path));
             }
-            report.total(kind == std::string("-drums.wav") ? "drums alone, all" : "full mixes, all");
+            report.total(kind == std::string("-drums.wav") ? "drums alone, all"
+                                                           : "full mixes, all");
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "listening_report: %s\n", error.what());

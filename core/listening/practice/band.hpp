@@ -10,6 +10,7 @@
 namespace percussionist::listening::practice {
 
 /// Their sum, mono, of `samples` samples, in time with the groove; its level means nothing.
-std::vector<double> accompaniment(const Groove& groove, std::size_t samples, double rate, Dice& dice);
+std::vector<double> accompaniment(const Groove& groove, std::size_t samples, double rate,
+                                  Dice& dice);
 
 }  // namespace percussionist::listening::practice

@@ -19,9 +19,13 @@ struct Line {
 class Drummer {
   public:
     explicit Drummer(Dice& dice)
-        : dice_(dice), beat_(60.0 / dice.log_uniform(65.0, 190.0)), beats_(dice.chance(0.85) ? 4 : 3),
-          swung_(dice.chance(0.25)), per_beat_(swung_ ? 3 : 4),
-          looseness_(dice.log_uniform(0.001, 0.012)), dynamics_(dice.uniform(0.02, 0.15)) {
+        : dice_(dice),
+          beat_(60.0 / dice.log_uniform(65.0, 190.0)),
+          beats_(dice.chance(0.85) ? 4 : 3),
+          swung_(dice.chance(0.25)),
+          per_beat_(swung_ ? 3 : 4),
+          looseness_(dice.log_uniform(0.001, 0.012)),
+          dynamics_(dice.uniform(0.02, 0.15)) {
         time_keeping();
         kick();
         snare();
@@ -41,19 +45,26 @@ class Drummer {
             if (count % 4 == 1 && dice_.chance(0.4)) hit(at, 0, crash_, 0.9);
             if (dice_.chance(0.1)) change_hands();
         }
-        std::erase_if(groove_.strokes, [&](const Stroke& s) { return s.time >= duration - 0.3 || s.time < 0.0; });
-        std::sort(groove_.strokes.begin(), groove_.strokes.end(), [](const Stroke& a, const Stroke& b) { return a.time < b.time; });
+        std::erase_if(groove_.strokes,
+                      [&](const Stroke& s) { return s.time >= duration - 0.3 || s.time < 0.0; });
+        std::sort(groove_.strokes.begin(), groove_.strokes.end(),
+                  [](const Stroke& a, const Stroke& b) { return a.time < b.time; });
         groove_.beat = beat_;
         groove_.beats = beats_;
         return groove_;
     }
 
   private:
-    [[nodiscard]] std::size_t places() const { return static_cast<std::size_t>(beats_ * per_beat_); }
-    std::size_t place_of_fill() { return places() - static_cast<std::size_t>(per_beat_) * (dice_.chance(0.3) ? 2 : 1); }
+    [[nodiscard]] std::size_t places() const {
+        return static_cast<std::size_t>(beats_ * per_beat_);
+    }
+    std::size_t place_of_fill() {
+        return places() - static_cast<std::size_t>(per_beat_) * (dice_.chance(0.3) ? 2 : 1);
+    }
 
     Line& line(Piece piece) {
-        lines_.push_back({piece, std::vector<double>(places(), 0.0), std::vector<double>(places(), 0.8)});
+        lines_.push_back(
+            {piece, std::vector<double>(places(), 0.0), std::vector<double>(places(), 0.8)});
         return lines_.back();
     }
     void put(Line& line, std::size_t place, double chance, double velocity) {
@@ -78,7 +89,8 @@ class Drummer {
                 const bool skips = swung_ && style > 0.6 && (place / step) % 2 == 0;
                 put(keeping, place, skips ? 0.1 : 0.97, style < 0.16 ? accent : weak);
             }
-            if (!swung_ && within % 2 == 1) put(keeping, place, style > 0.78 ? 0.97 : 0.03, weak * 0.85);
+            if (!swung_ && within % 2 == 1)
+                put(keeping, place, style > 0.78 ? 0.97 : 0.03, weak * 0.85);
             if (swung_ && within == 1 && style > 0.85) put(keeping, place, 0.9, weak * 0.85);
         }
         if (keeping.piece == Piece::closed_hat && dice_.chance(0.45)) {
@@ -87,7 +99,8 @@ class Drummer {
         if (keeping.piece != Piece::closed_hat && dice_.chance(0.6)) {  // the foot, off the beat
             Line& foot = line(Piece::pedal_hat);
             const bool every = dice_.chance(0.3);
-            for (std::size_t beat = every ? 0 : 1; beat < static_cast<std::size_t>(beats_); beat += every ? 1 : 2) {
+            for (std::size_t beat = every ? 0 : 1; beat < static_cast<std::size_t>(beats_);
+                 beat += every ? 1 : 2) {
                 put(foot, beat * step, 0.95, dice_.uniform(0.5, 0.9));
             }
         }
@@ -119,7 +132,8 @@ class Drummer {
         const Piece stick = style < 0.12 ? Piece::side_stick : Piece::snare;
         Line& hand = line(stick);
         if (style > 0.95) return;
-        for (std::size_t beat = 1; beat < static_cast<std::size_t>(beats_); beat += 2) put(hand, beat * step, 0.98, 0.92);
+        for (std::size_t beat = 1; beat < static_cast<std::size_t>(beats_); beat += 2)
+            put(hand, beat * step, 0.98, 0.92);
         if (style > 0.85 && beats_ == 4) {  // half time
             hand.chance.assign(places(), 0.0);
             put(hand, 2 * step, 0.98, 0.92);
@@ -129,20 +143,23 @@ class Drummer {
             const double quiet = dice_.uniform(0.25, 0.6);
             const double density = dice_.uniform(0.05, 0.4);
             for (std::size_t place = 0; place < places(); ++place) {
-                if (hand.chance[place] < 0.5 && dice_.chance(density)) put(ghosts, place, dice_.uniform(0.1, 0.9), quiet);
+                if (hand.chance[place] < 0.5 && dice_.chance(density))
+                    put(ghosts, place, dice_.uniform(0.1, 0.9), quiet);
             }
         }
     }
 
     void colours() {
         crash_ = dice_.chance(0.7) ? Piece::crash : Piece::second_crash;
-        for (const Piece piece : {Piece::shaken_percussion, Piece::hand_percussion, Piece::bell, Piece::low_tom}) {
+        for (const Piece piece :
+             {Piece::shaken_percussion, Piece::hand_percussion, Piece::bell, Piece::low_tom}) {
             const bool rare = piece == Piece::bell || piece == Piece::low_tom;
             if (!dice_.chance(rare ? 0.06 : 0.14)) continue;
             const bool regular = dice_.chance(0.5);
             Line& colour = line(piece);
             for (std::size_t place = 0; place < places(); ++place) {
-                if (dice_.chance(regular ? (place % 2 == 0 ? 0.8 : 0.3) : 0.15)) put(colour, place, 0.9, dice_.uniform(0.5, 0.9));
+                if (dice_.chance(regular ? (place % 2 == 0 ? 0.8 : 0.3) : 0.15))
+                    put(colour, place, 0.9, dice_.uniform(0.5, 0.9));
             }
         }
         chaos_ = dice_.chance(0.1) ? dice_.uniform(0.5, 6.0) : dice_.chance(0.3) ? 0.3 : 0.0;
@@ -163,27 +180,34 @@ class Drummer {
         for (const Line& line : lines_) {
             for (std::size_t place = 0; place < until; ++place) {
                 if (!dice_.chance(line.chance[place])) continue;
-                const bool opens = line.piece == Piece::closed_hat && place == opening_ && dice_.chance(0.7);
+                const bool opens =
+                    line.piece == Piece::closed_hat && place == opening_ && dice_.chance(0.7);
                 hit(at, place, opens ? Piece::open_hat : line.piece, line.velocity[place]);
             }
         }
-        for (double t = 0.0; chaos_ > 0.0 && t < beat_ * beats_; t += dice_.uniform(0.0, 2.0 / chaos_)) {
-            groove_.strokes.push_back({at + t, static_cast<Piece>(dice_.whole(kPieces)), dice_.uniform(0.4, 1.0)});
+        for (double t = 0.0; chaos_ > 0.0 && t < beat_ * beats_;
+             t += dice_.uniform(0.0, 2.0 / chaos_)) {
+            groove_.strokes.push_back(
+                {at + t, static_cast<Piece>(dice_.whole(kPieces)), dice_.uniform(0.4, 1.0)});
         }
     }
 
     void fill(double at, std::size_t from) {
-        const std::array<Piece, 5> path = {Piece::snare, Piece::high_tom, Piece::middle_tom, Piece::low_tom, Piece::kick};
+        const std::array<Piece, 5> path = {Piece::snare, Piece::high_tom, Piece::middle_tom,
+                                           Piece::low_tom, Piece::kick};
         for (std::size_t place = from; place < places(); ++place) {
             const std::size_t along = (place - from) * 4 / (places() - from);
-            if (dice_.chance(0.8)) hit(at, place, path[dice_.chance(0.3) ? dice_.whole(5) : along], dice_.uniform(0.6, 1.0));
+            if (dice_.chance(0.8))
+                hit(at, place, path[dice_.chance(0.3) ? dice_.whole(5) : along],
+                    dice_.uniform(0.6, 1.0));
         }
     }
 
     void hit(double bar, std::size_t place, Piece piece, double velocity) {
-        const double time = bar + static_cast<double>(place) * beat_ / per_beat_ + offsets_[static_cast<std::size_t>(piece)] +
-                            looseness_ * dice_.normal();
-        groove_.strokes.push_back({time, piece, std::clamp(velocity + dynamics_ * dice_.normal(), 0.15, 1.0)});
+        const double time = bar + static_cast<double>(place) * beat_ / per_beat_ +
+                            offsets_[static_cast<std::size_t>(piece)] + looseness_ * dice_.normal();
+        groove_.strokes.push_back(
+            {time, piece, std::clamp(velocity + dynamics_ * dice_.normal(), 0.15, 1.0)});
         if (piece == Piece::snare && velocity > 0.7 && dice_.chance(0.01)) {  // a flam
             groove_.strokes.push_back({time - 0.035, piece, 0.5});
         }
@@ -205,6 +229,8 @@ class Drummer {
 
 }  // namespace
 
-Groove throw_groove(double duration, Dice& dice) { return Drummer(dice).play(duration); }
+Groove throw_groove(double duration, Dice& dice) {
+    return Drummer(dice).play(duration);
+}
 
 }  // namespace percussionist::listening::practice

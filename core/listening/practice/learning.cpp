@@ -22,7 +22,8 @@ constexpr std::size_t kHeldOut = 10;  ///< every so many lessons one decides thr
 /// 1 for each class struck at each attack; a hat of any kind counts as a closed one too.
 MatrixXf targets(const Lesson& lesson) {
     const auto& times = lesson.evidence.times;
-    MatrixXf struck = MatrixXf::Zero(static_cast<Index>(kDrumClasses), static_cast<Index>(times.size()));
+    MatrixXf struck =
+        MatrixXf::Zero(static_cast<Index>(kDrumClasses), static_cast<Index>(times.size()));
     for (const HeardStroke& stroke : lesson.strokes) {
         auto it = std::lower_bound(times.begin(), times.end(), stroke.time - kSameMoment);
         for (; it != times.end() && *it < stroke.time + kSameMoment; ++it) {
@@ -95,7 +96,9 @@ class Learner {
         model.first = first_network(static_cast<Index>(kFeatures), learnt, 0.25, "first");
         for (const std::size_t half : {0, 1}) {
             const auto of_half = [&](std::size_t i) { return learnt(i) && i % 2 == half; };
-            Network other = first_network(static_cast<Index>(kFeatures), of_half, 0.5 + 0.2 * static_cast<double>(half), "first, by halves");
+            Network other =
+                first_network(static_cast<Index>(kFeatures), of_half,
+                              0.5 + 0.2 * static_cast<double>(half), "first, by halves");
             find_contexts(other, [&](std::size_t i) { return learnt(i) && i % 2 != half; });
         }
         find_contexts(model.first, [&](std::size_t i) { return !learnt(i); });
@@ -135,7 +138,8 @@ class Learner {
         for (std::size_t i = 0; i < lessons_.size(); ++i) {
             if (chosen(i)) collection.add(contexts_[i], struck_[i]);
         }
-        const TrainingOptions training{.hidden = {48, 24}, .epochs = options_.epochs, .dropped = 0.15F};
+        const TrainingOptions training{
+            .hidden = {48, 24}, .epochs = options_.epochs, .dropped = 0.15F};
         return train(collection.examples(static_cast<Index>(kContext)), training, dice_,
                      [&](double part, double) { tell(0.9 + 0.1 * part, "second"); });
     }

@@ -73,7 +73,8 @@ void add_ground(std::vector<double>& signal, double rate, Dice& dice) {
     const double hiss = std::pow(10.0, dice.uniform(-90.0, -40.0) / 20.0);
     const double rumble = std::pow(10.0, dice.uniform(-70.0, -20.0) / 20.0);
     Biquad low = Biquad::low_pass(dice.log_uniform(60.0, 600.0), rate);
-    for (double& x : signal) x += hiss * dice.uniform(-1.0, 1.0) + 6.0 * rumble * low(dice.uniform(-1.0, 1.0));
+    for (double& x : signal)
+        x += hiss * dice.uniform(-1.0, 1.0) + 6.0 * rumble * low(dice.uniform(-1.0, 1.0));
 }
 
 }  // namespace

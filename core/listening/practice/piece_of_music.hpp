@@ -1,4 +1,5 @@
-// A piece to practise listening on: drums, most often with others playing, and what was struck when.
+// A piece to practise listening on: drums, most often with others playing, and what was struck
+// when.
 #pragma once
 
 #include <cstdint>

@@ -11,8 +11,8 @@ namespace percussionist::listening::practice {
 
 namespace {
 
-constexpr double kLongest = 2.5;         ///< of a sound [s]
-constexpr double kLossOf60 = 6.907755;   ///< ln 1000
+constexpr double kLongest = 2.5;        ///< of a sound [s]
+constexpr double kLossOf60 = 6.907755;  ///< ln 1000
 constexpr double kTau = 2.0 * std::numbers::pi;
 
 double length(const Recipe& recipe) {

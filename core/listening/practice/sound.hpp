@@ -11,9 +11,9 @@ namespace percussionist::listening::practice {
 struct Ring {
     double frequency = 100.0;  ///< [Hz]
     double amplitude = 1.0;
-    double t60 = 0.3;     ///< [s]
-    double bend = 1.0;    ///< of the frequency at the start
-    double settle = 0.02; ///< in which the bend falls to a 1/e [s]
+    double t60 = 0.3;      ///< [s]
+    double bend = 1.0;     ///< of the frequency at the start
+    double settle = 0.02;  ///< in which the bend falls to a 1/e [s]
 };
 
 /// Noise between two frequencies that rises, stays and decays.

@@ -41,7 +41,8 @@ void add_room(std::vector<double>& signal, double rate, Dice& dice) {
 
 void equalise(std::vector<double>& signal, double rate, double most_db, Dice& dice) {
     for (int band = 0; band < 4; ++band) {
-        Biquad::bell(dice.log_uniform(60.0, 14000.0), rate, dice.log_uniform(0.4, 2.0), dice.uniform(-most_db, most_db))(signal);
+        Biquad::bell(dice.log_uniform(60.0, 14000.0), rate, dice.log_uniform(0.4, 2.0),
+                     dice.uniform(-most_db, most_db))(signal);
     }
     if (dice.chance(0.3)) Biquad::high_pass(dice.log_uniform(25.0, 70.0), rate)(signal);
 }

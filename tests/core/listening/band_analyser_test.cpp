@@ -27,7 +27,9 @@ BandFrame frame_of(double rate, Signal signal) {
     return frame;
 }
 
-double sine(double hz, double t) { return std::sin(2.0 * std::numbers::pi * hz * t); }
+double sine(double hz, double t) {
+    return std::sin(2.0 * std::numbers::pi * hz * t);
+}
 
 }  // namespace
 
@@ -47,7 +49,8 @@ TEST_CASE("twice the amplitude is ln 4 more in every band") {
     const BandFrame once = frame_of(48000.0, chord);
     const BandFrame twice = frame_of(48000.0, [&](double t) { return 2.0 * chord(t); });
     for (std::size_t b = 0; b < kLevels; ++b) {
-        if (once.level[b] > -20.0F) CHECK(twice.level[b] - once.level[b] == doctest::Approx(std::log(4.0)).epsilon(0.01));
+        if (once.level[b] > -20.0F)
+            CHECK(twice.level[b] - once.level[b] == doctest::Approx(std::log(4.0)).epsilon(0.01));
     }
 }
 
@@ -57,7 +60,9 @@ TEST_CASE("partials raise a band's level far above its floor, noise hardly does"
     const BandFrame tone = frame_of(44100.0, [&](double t) { return sine(hz, t); });
     practice::Dice dice(1);
     const BandFrame noise = frame_of(44100.0, [&](double) { return dice.uniform(-1.0, 1.0); });
-    const auto gap = [&](const BandFrame& f) { return f.level[band] - f.floor[band - (kLevels - kFloors)]; };
+    const auto gap = [&](const BandFrame& f) {
+        return f.level[band] - f.floor[band - (kLevels - kFloors)];
+    };
     CHECK(gap(tone) > 4.0F);
     CHECK(gap(noise) < 1.5F);
 }

@@ -9,8 +9,10 @@ using namespace percussionist::listening;
 
 namespace {
 
-/// Kick and snare in turn on beats from `first`, hats on eighths; the beat changes by `drift` a beat.
-std::vector<DrumStroke> groove(double beat, double first, int beats, int per_bar, double drift = 0.0) {
+/// Kick and snare in turn on beats from `first`, hats on eighths; the beat changes by `drift` a
+/// beat.
+std::vector<DrumStroke> groove(double beat, double first, int beats, int per_bar,
+                               double drift = 0.0) {
     std::vector<DrumStroke> strokes;
     double t = first;
     for (int b = 0; b < beats; ++b) {
@@ -53,7 +55,9 @@ TEST_CASE("a drummer who hurries is followed") {
     std::size_t met = 0;
     for (const double t : found.times) {
         for (const auto& s : strokes) {
-            if (s.drum != DrumClass::closed_hat && s.drum != DrumClass::crash && std::abs(s.time - t) < 0.03) ++met;
+            if (s.drum != DrumClass::closed_hat && s.drum != DrumClass::crash &&
+                std::abs(s.time - t) < 0.03)
+                ++met;
         }
     }
     CHECK(met > 72);

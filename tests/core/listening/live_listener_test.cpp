@@ -18,14 +18,16 @@ struct Told {
     double at = 0.0;  ///< when it was told [s]
 };
 
-std::vector<Told> listen(LiveListener& listener, const std::vector<float>& signal, double rate, std::size_t block) {
+std::vector<Told> listen(LiveListener& listener, const std::vector<float>& signal, double rate,
+                         std::size_t block) {
     std::vector<Told> told;
     std::size_t n = 0;
     while (n < signal.size()) {
         const std::size_t size = std::min(block, signal.size() - n);
-        listener.process({signal.data() + n, size}, [&](const LiveEvent& event, std::size_t samples) {
-            told.push_back({event, static_cast<double>(n + samples) / rate});
-        });
+        listener.process({signal.data() + n, size},
+                         [&](const LiveEvent& event, std::size_t samples) {
+                             told.push_back({event, static_cast<double>(n + samples) / rate});
+                         });
         n += size;
     }
     return told;
@@ -39,7 +41,9 @@ std::vector<float> strokes(double rate, int count) {
         const auto from = static_cast<std::size_t>((0.5 + 0.4 * k) * rate);
         for (std::size_t n = 0; n < static_cast<std::size_t>(0.3 * rate); ++n) {
             const double t = static_cast<double>(n) / rate;
-            const double kick = std::exp(-t / 0.07) * std::sin(2.0 * std::numbers::pi * (55.0 * t + 2.5 * (1.0 - std::exp(-t / 0.02))));
+            const double kick =
+                std::exp(-t / 0.07) *
+                std::sin(2.0 * std::numbers::pi * (55.0 * t + 2.5 * (1.0 - std::exp(-t / 0.02))));
             const double hiss = std::exp(-t / 0.05) * dice.uniform(-1.0, 1.0);
             out[from + n] += static_cast<float>(0.5 * (k % 2 == 0 ? kick : hiss));
         }
@@ -73,7 +77,8 @@ TEST_CASE("an attack is told within 12 ms of its sound, its drum within 60 ms") 
 TEST_CASE("the size of blocks does not matter") {
     const auto signal = strokes(48000.0, 8);
     LiveListener small({}, learnt_drums()), large({}, learnt_drums());
-    const auto one = listen(small, signal, 48000.0, 16), other = listen(large, signal, 48000.0, 4096);
+    const auto one = listen(small, signal, 48000.0, 16),
+               other = listen(large, signal, 48000.0, 4096);
     REQUIRE(one.size() == other.size());
     for (std::size_t i = 0; i < one.size(); ++i) {
         CHECK(one[i].event.time == other[i].event.time);
@@ -97,7 +102,9 @@ TEST_CASE("drums learnt from four strokes each are told apart, and a drum not le
     listen(listener, kicks, 48000.0, 64);
     CHECK(!listener.learning());
     const auto own = [](const std::vector<Told>& told) {
-        return std::count_if(told.begin(), told.end(), [](const Told& t) { return t.event.kind == LiveEvent::Kind::own_drum; });
+        return std::count_if(told.begin(), told.end(), [](const Told& t) {
+            return t.event.kind == LiveEvent::Kind::own_drum;
+        });
     };
     CHECK(own(listen(listener, hisses, 48000.0, 64)) == 0);
     CHECK(own(listen(listener, kicks, 48000.0, 64)) == 6);

@@ -16,7 +16,8 @@ Examples exclusive_or(Eigen::Index count) {
     practice::Dice dice(3);
     Examples all{Eigen::MatrixXf(2, count), Eigen::MatrixXf(2, count)};
     for (Eigen::Index i = 0; i < count; ++i) {
-        for (Eigen::Index k = 0; k < 2; ++k) all.inputs(k, i) = static_cast<float>(5.0 + 3.0 * dice.normal());
+        for (Eigen::Index k = 0; k < 2; ++k)
+            all.inputs(k, i) = static_cast<float>(5.0 + 3.0 * dice.normal());
         const bool a = all.inputs(0, i) > 5.0F, b = all.inputs(1, i) > 5.0F;
         all.targets(0, i) = a || b ? 1.0F : 0.0F;
         all.targets(1, i) = a != b ? 1.0F : 0.0F;
@@ -26,7 +27,10 @@ Examples exclusive_or(Eigen::Index count) {
 
 Network learnt(std::uint64_t seed) {
     practice::Dice dice(seed);
-    return train(exclusive_or(4000), {.hidden = {16, 8}, .epochs = 20, .rate = 5e-3, .dropped = 0.0F, .dropped_inputs = 0.0F}, dice);
+    return train(
+        exclusive_or(4000),
+        {.hidden = {16, 8}, .epochs = 20, .rate = 5e-3, .dropped = 0.0F, .dropped_inputs = 0.0F},
+        dice);
 }
 
 }  // namespace
@@ -37,7 +41,8 @@ TEST_CASE("a network learns what no weighted sum can tell") {
     const Examples asked = exclusive_or(1000);
     for (Eigen::Index i = 0; i < 1000; ++i) {
         const auto odds = network.evaluate({asked.inputs.col(i).data(), 2});
-        right += (odds[0] > 0.0F) == (asked.targets(0, i) > 0.5F) && (odds[1] > 0.0F) == (asked.targets(1, i) > 0.5F);
+        right += (odds[0] > 0.0F) == (asked.targets(0, i) > 0.5F) &&
+                 (odds[1] > 0.0F) == (asked.targets(1, i) > 0.5F);
     }
     CHECK(right > 900);
 }
@@ -52,5 +57,6 @@ TEST_CASE("the same examples and dice make the same network") {
 TEST_CASE("layers that do not fit each other are refused") {
     const Layer two_to_three{Eigen::MatrixXf::Zero(3, 2), Eigen::VectorXf::Zero(3)};
     CHECK_THROWS_AS(Network({two_to_three, two_to_three}), std::invalid_argument);
-    CHECK_THROWS_AS(Network({{Eigen::MatrixXf::Zero(3, 2), Eigen::VectorXf::Zero(2)}}), std::invalid_argument);
+    CHECK_THROWS_AS(Network({{Eigen::MatrixXf::Zero(3, 2), Eigen::VectorXf::Zero(2)}}),
+                    std::invalid_argument);
 }

@@ -45,10 +45,12 @@ TEST_CASE("drums written and read are the same") {
 }
 
 TEST_CASE("a text that is no drums is refused with its line") {
-    CHECK_THROWS_WITH(own_drums_from_text("nonsense"), "own drums: line 1: expected percussionist-own-drums-1");
+    CHECK_THROWS_WITH(own_drums_from_text("nonsense"),
+                      "own drums: line 1: expected percussionist-own-drums-1");
     CHECK_THROWS_WITH(own_drums_from_text("percussionist-own-drums-1\nsnare 3 x\n"),
                       "own drums: line 2: expected strokes, loudness and 96 numbers");
-    CHECK_THROWS_AS(own_drums_from_text(to_text(two_drums()) + "dark 1 2\n"), std::invalid_argument);
+    CHECK_THROWS_AS(own_drums_from_text(to_text(two_drums()) + "dark 1 2\n"),
+                    std::invalid_argument);
 }
 
 TEST_CASE("names that could not be saved are refused, and so is a seventeenth drum") {

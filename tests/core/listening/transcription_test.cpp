@@ -22,7 +22,8 @@ const DrumModel& model() {
 template <class Signal>
 std::vector<DrumStroke> heard_in(double seconds, double rate, Signal signal) {
     std::vector<double> samples(static_cast<std::size_t>(seconds * rate));
-    for (std::size_t n = 0; n < samples.size(); ++n) samples[n] = signal(static_cast<double>(n) / rate);
+    for (std::size_t n = 0; n < samples.size(); ++n)
+        samples[n] = signal(static_cast<double>(n) / rate);
     return transcribe(samples, rate, model()).strokes;
 }
 
@@ -83,7 +84,8 @@ TEST_CASE("how loud a recording is does not matter, nor what is silent before it
     std::vector<double> soft = piece.signal;
     for (double& x : soft) x *= 0.02;
     const auto of_soft = transcribe(soft, piece.rate, model()).strokes;
-    CHECK(std::abs(static_cast<double>(of_soft.size()) / static_cast<double>(strokes.size()) - 1.0) < 0.1);
+    CHECK(std::abs(static_cast<double>(of_soft.size()) / static_cast<double>(strokes.size()) -
+                   1.0) < 0.1);
 
     const double rest = 220.0 * 100.0 / piece.rate;  // whole frames, rounded as the hop is
     std::vector<double> later(static_cast<std::size_t>(std::lround(rest * piece.rate)) + 100, 0.0);
@@ -127,7 +129,8 @@ TEST_CASE("what holds no drums is given next to none") {
               return 0.5 * std::sin(2.0 * std::numbers::pi * (50.0 * t + 900.0 * t * t));
           }).size() <= 8);
     practice::Dice dice(4);
-    CHECK(heard_in(4.0, 44100.0, [&](double) { return 0.2 * dice.uniform(-1.0, 1.0); }).size() <= 8);
+    CHECK(heard_in(4.0, 44100.0, [&](double) { return 0.2 * dice.uniform(-1.0, 1.0); }).size() <=
+          8);
 }
 
 TEST_CASE("recordings of no length or hardly any are heard through") {
@@ -141,7 +144,8 @@ TEST_CASE("recordings of no length or hardly any are heard through") {
 TEST_CASE("a sample that is no number is refused, and so is a rate too low") {
     std::vector<double> samples(1000, 0.0);
     samples[7] = std::numeric_limits<double>::quiet_NaN();
-    CHECK_THROWS_WITH(transcribe(samples, 44100.0, model()), "listening: sample 7: expected a number, got NaN or infinity");
+    CHECK_THROWS_WITH(transcribe(samples, 44100.0, model()),
+                      "listening: sample 7: expected a number, got NaN or infinity");
     samples[7] = 0.0;
     CHECK_THROWS(transcribe(samples, 2000.0, model()));
 }

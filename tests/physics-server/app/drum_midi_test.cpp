@@ -16,7 +16,11 @@ namespace {
 listening::Transcription strokes() {
     listening::Transcription made;
     for (int n = 0; n < 40; ++n) {
-        made.strokes.push_back({.time = 0.137 + 0.251 * n, .drum = static_cast<DrumClass>(n % 8), .velocity = 0.5, .confidence = 0.8, .pitch = 100.0});
+        made.strokes.push_back({.time = 0.137 + 0.251 * n,
+                                .drum = static_cast<DrumClass>(n % 8),
+                                .velocity = 0.5,
+                                .confidence = 0.8,
+                                .pitch = 100.0});
     }
     return made;
 }
@@ -41,7 +45,8 @@ TEST_CASE("strokes keep their times through MIDI, wherever the beats are") {
         const auto score = files::midi_to_score(files::parse_midi(files::midi_bytes(midi), "song"));
         REQUIRE(score.notes.size() == made.strokes.size());
         for (std::size_t n = 0; n < score.notes.size(); ++n) {
-            CHECK(score.notes[n].time == doctest::Approx(made.strokes[n].time).epsilon(1e-9).scale(1.0).epsilon(0.001));
+            CHECK(score.notes[n].time ==
+                  doctest::Approx(made.strokes[n].time).epsilon(1e-9).scale(1.0).epsilon(0.001));
             CHECK(score.notes[n].channel == 9);
         }
     }
@@ -68,7 +73,9 @@ TEST_CASE("the picture shows every stroke, and titles cannot break it") {
     made.heard.frames.resize(2100);
     const std::string svg = files::spectrogram_svg(made, wandering_beats(0.4), "rock <&> roll");
     std::size_t discs = 0;
-    for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) ++discs;
+    for (std::size_t at = svg.find("<circle"); at != std::string::npos;
+         at = svg.find("<circle", at + 1))
+        ++discs;
     CHECK(discs == 40);
     CHECK(svg.find("rock &lt;&amp;> roll") != std::string::npos);
     CHECK(svg.ends_with("</svg>\n"));

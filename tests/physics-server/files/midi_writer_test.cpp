@@ -15,7 +15,10 @@ MidiFile groove() {
     file.division.ticks_per_quarter = 960;
     file.tempos = {{0, 0.5}, {3840, 0.45}};
     file.metres = {{0, 3, 4}, {2880, 6, 8}};
-    file.notes = {{0, 36, 100, 9, true}, {0, 42, 1, 9, true}, {10, 42, 127, 9, true}, {5000, 38, 64, 9, true}};
+    file.notes = {{0, 36, 100, 9, true},
+                  {0, 42, 1, 9, true},
+                  {10, 42, 127, 9, true},
+                  {5000, 38, 64, 9, true}};
     return file;
 }
 

@@ -10,7 +10,9 @@
 using namespace percussionist::files;
 
 TEST_CASE("base 64 is that of its specification") {
-    const auto of = [](const std::string& text) { return base64(std::vector<std::uint8_t>(text.begin(), text.end())); };
+    const auto of = [](const std::string& text) {
+        return base64(std::vector<std::uint8_t>(text.begin(), text.end()));
+    };
     CHECK(of("") == "");
     CHECK(of("f") == "Zg==");
     CHECK(of("fo") == "Zm8=");

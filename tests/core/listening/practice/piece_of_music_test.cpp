@@ -18,8 +18,10 @@ TEST_CASE("practice pieces are finite, in order, and between them hold every dru
     std::array<int, kDrumClasses> each{};
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const auto piece = practice::piece_of_music(seed, 6.0);
-        CHECK(std::all_of(piece.signal.begin(), piece.signal.end(), [](double x) { return std::isfinite(x); }));
-        CHECK(std::is_sorted(piece.strokes.begin(), piece.strokes.end(), [](const auto& a, const auto& b) { return a.time < b.time; }));
+        CHECK(std::all_of(piece.signal.begin(), piece.signal.end(),
+                          [](double x) { return std::isfinite(x); }));
+        CHECK(std::is_sorted(piece.strokes.begin(), piece.strokes.end(),
+                             [](const auto& a, const auto& b) { return a.time < b.time; }));
         for (const auto& s : piece.strokes) {
             CHECK(s.time >= 0.0);
             CHECK(s.time < 6.0);
