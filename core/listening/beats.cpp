@@ -82,7 +82,7 @@ std::vector<double> best_path(const std::vector<double>& grid, double beat) {
     std::vector<double> times;
     while (true) {
         times.push_back(static_cast<double>(at) * kStep);
-        if (from[at] == 0) break;
+        if (from[at] == 0 || score[from[at]] <= 0.0) break;
         at = from[at];
     }
     std::reverse(times.begin(), times.end());
@@ -124,7 +124,7 @@ void find_bars(std::span<const DrumStroke> strokes, Beats& beats) {
         }
     };
     consider(four, 1.0);
-    consider(three, 0.8);
+    consider(three, 0.6);
     beats.first_downbeat = std::min(beats.first_downbeat, beats.times.size() - 1);
 }
 

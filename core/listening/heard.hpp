@@ -25,7 +25,7 @@ struct Heard {
 Heard hear(std::span<const double> signal, double rate,
            const std::function<void(double)>& progress = {});
 
-/// Seconds from the first sample to where the rise around a frame began to sound.
+/// Seconds from the first sample to where a listener puts the stroke whose rise is around a frame.
 double time_of(double frame, std::size_t hop, double rate);
 
 }  // namespace percussionist::listening

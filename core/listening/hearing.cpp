@@ -10,7 +10,9 @@ namespace {
 
 constexpr float kSilent = 14.0F;    ///< below loud moments is silence [nats]
 constexpr float kNothing = -24.0F;  ///< of which nothing is learnt [nats]
+constexpr float kBeforeAnything = -14.0F;  ///< what is usual before anything was heard [nats]
 constexpr double kMemory = 1600.0;  ///< [frames]
+constexpr float kUp = 0.06F, kDown = 0.003F, kTowards = 0.1F;  ///< of what is loud, a frame
 constexpr double kLoudPart = 0.95;  ///< of all moments are less loud
 
 template <std::size_t N>
@@ -49,22 +51,25 @@ Hearing hearing_of(std::span<const BandFrame> frames) {
     return hearing;
 }
 
+RunningHearing::RunningHearing() {
+    hearing_.mean.level.fill(kBeforeAnything);
+    hearing_.mean.floor.fill(kBeforeAnything);
+    hearing_.mean.quick.fill(kBeforeAnything);
+}
+
 void RunningHearing::push(const BandFrame& frame) noexcept {
     const float level = loudness(frame);
     if (level < std::max(hearing_.loud - kSilent, kNothing)) {
-        hearing_.loud -= 0.002F;
+        hearing_.loud -= kDown;
         return;
     }
     weight_ = std::min(weight_ + 1.0, kMemory);
     if (weight_ == 1.0) hearing_.loud = level;
     const auto share = static_cast<float>(1.0 / weight_);
     approach(hearing_.mean, frame, share);
-    // A quantile: up by much when above, down by little when below.
-    hearing_.loud +=
-        level > hearing_.loud
-            ? std::min(level - hearing_.loud, 0.06F / static_cast<float>(1.0 - kLoudPart) * 0.05F +
-                                                  0.1F * (level - hearing_.loud))
-            : -0.003F;
+    // A quantile: far up when above, a little down when below.
+    const float up = level - hearing_.loud;
+    hearing_.loud += up > 0.0F ? kUp + kTowards * up : -kDown;
 }
 
 }  // namespace percussionist::listening

@@ -24,6 +24,7 @@ Hearing hearing_of(std::span<const BandFrame> frames);
 /// Of what was heard lately: a mean over all at first, then fading over some 8 s.
 class RunningHearing {
   public:
+    RunningHearing();
     void push(const BandFrame& frame) noexcept;
     [[nodiscard]] const Hearing& now() const { return hearing_; }
 

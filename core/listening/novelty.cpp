@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kBelowUsual = 2.0F;     ///< the mean, still heard [nats]
 constexpr float kBelowLoudest = 14.0F;  ///< a usual loud moment, still heard [nats]
+constexpr float kSilence = -100.0F;     ///< [nats]
 constexpr float kMost = 5.0F;           ///< a band may rise [nats]
 constexpr std::size_t kReach = 5;       ///< of a peak [frames]
 
@@ -19,6 +20,11 @@ constexpr std::array<Group, 4> kGroups = {Group{0, 2}, Group{2, 5}, Group{5, 8},
 
 }  // namespace
 
+void Novelty::reset() noexcept {
+    for (auto& frame : past_) frame.fill(kSilence);
+    count_ = 0;
+}
+
 float Novelty::push(const BandFrame& frame, const Hearing& hearing) noexcept {
     std::array<float, kQuick> rise{};
     std::array<float, kQuick>& now = past_[count_ % kKept];
@@ -26,9 +32,10 @@ float Novelty::push(const BandFrame& frame, const Hearing& hearing) noexcept {
         const float least =
             std::max(hearing.mean.quick[b] - kBelowUsual, hearing.loud - kBelowLoudest);
         now[b] = std::max(frame.quick[b], least);
-        if (count_ < kKept) continue;
-        float before = past_[(count_ - 2) % kKept][b];
-        before = std::max({before, past_[(count_ - 3) % kKept][b], past_[(count_ - 4) % kKept][b]});
+        float before = least;
+        for (std::size_t back = 2; back < kKept; ++back) {
+            before = std::max(before, past_[(count_ + kKept - back) % kKept][b]);
+        }
         rise[b] = std::clamp(now[b] - before, 0.0F, kMost);
     }
     ++count_;

@@ -21,11 +21,14 @@ namespace percussionist::listening {
 
 class Novelty {
   public:
+    Novelty() { reset(); }
+
     /// Above it something may have been struck.
     static constexpr float kThreshold = 0.7F;
 
     float push(const BandFrame& frame, const Hearing& hearing) noexcept;
-    void reset() noexcept { *this = {}; }
+    /// Before the first frame is silence.
+    void reset() noexcept;
 
   private:
     static constexpr std::size_t kKept = 5;

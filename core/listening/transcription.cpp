@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kShareOfHearing = 0.9;  ///< of the time it takes
 constexpr double kEcho = 0.04;           ///< one drum is not struck twice within [s]
+constexpr double kTogether = 0.03;       ///< two strokes within are one moment [s]
+constexpr double kUsualVelocity = 0.75;
 constexpr double kLoudPart = 0.8;        ///< of a drum's strokes are softer than a loud one
 
 void check(std::span<const double> signal) {
@@ -69,6 +71,23 @@ void powers_to_velocities(std::vector<DrumStroke>& strokes) {
     }
 }
 
+/// Where a louder drum of the same moment fills the bands of a softer one, that one's power cannot
+/// be told: it is taken for usual.
+void cover_what_is_drowned(std::vector<DrumStroke>& strokes) {
+    const auto drowns = [](DrumClass d) { return d == DrumClass::snare || d == DrumClass::crash; };
+    const auto drowned = [](DrumClass d) {
+        return d == DrumClass::closed_hat || d == DrumClass::open_hat || d == DrumClass::ride;
+    };
+    for (DrumStroke& soft : strokes) {
+        if (!drowned(soft.drum)) continue;
+        for (const DrumStroke& loud : strokes) {
+            if (drowns(loud.drum) && std::abs(loud.time - soft.time) < kTogether) {
+                soft.velocity = std::min(soft.velocity, kUsualVelocity);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 Transcription transcribe(std::span<const double> signal, double rate, const DrumModel& model,
@@ -101,6 +120,7 @@ Transcription transcribe(std::span<const double> signal, double rate, const Drum
     }
     leave_out_echoes(made.strokes);
     powers_to_velocities(made.strokes);
+    cover_what_is_drowned(made.strokes);
     if (progress) progress(1.0);
     return made;
 }

@@ -7,6 +7,7 @@
 
 #include "pdx/object.hpp"
 
+extern "C" void setup_drum0x2dlisten_tilde();
 extern "C" void setup_modal0x2ddrum_tilde();
 
 using namespace percussionist::pdx;
@@ -61,5 +62,9 @@ TEST_CASE("a help patch says what its object's table says") {
     if (!find_class("modal-drum~")) {
         setup_modal0x2ddrum_tilde();
     }
+    if (!find_class("drum-listen~")) {
+        setup_drum0x2dlisten_tilde();
+    }
     check_page("modal-drum~");
+    check_page("drum-listen~");
 }

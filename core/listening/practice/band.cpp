@@ -110,7 +110,7 @@ class Band {
     }
 
     std::vector<double> play() {
-        if (dice_.chance(0.85)) add_part(bass(), dice_.uniform(-4.0, 4.0));
+        if (dice_.chance(0.85)) add_part(bass(), dice_.uniform(-4.0, 6.0));
         if (dice_.chance(0.7)) add_part(strummed(), dice_.uniform(-8.0, 3.0));
         if (dice_.chance(0.4)) add_part(sustained(), dice_.uniform(-12.0, 0.0));
         if (dice_.chance(0.35)) add_part(distorted(), dice_.uniform(-6.0, 3.0));
@@ -141,7 +141,7 @@ class Band {
                           .t60 = dice_.log_uniform(0.5, 5.0),
                           .release = 0.06,
                           .pluck_db = dice_.uniform(-40.0, -12.0)};
-        const bool with_kick = dice_.chance(0.4);
+        const bool with_kick = dice_.chance(0.25);
         const double step = groove_.beat * (dice_.chance(0.6) ? 0.5 : 1.0);
         const double busy = dice_.uniform(0.4, 1.0);
         const auto note = [&](double time, double length) {

@@ -80,14 +80,14 @@ class Drummer {
         const double style = dice_.uniform();
         const double accent = dice_.uniform(0.75, 0.95);
         const double weak = dice_.uniform(0.4, 0.85);
-        if (style < 0.1) return;  // none keeps time
+        if (style < 0.13) return;  // none keeps time
         for (std::size_t place = 0; place < places(); ++place) {
             const std::size_t within = place % step;
             const bool half = swung_ ? within == 2 : within == 2;
-            if (within == 0 && style > 0.16) put(keeping, place, 0.98, accent);
-            if (half && (style < 0.16 || style > 0.3)) {
+            if (within == 0 && style > 0.19) put(keeping, place, 0.98, accent);
+            if (half && (style < 0.19 || style > 0.3)) {
                 const bool skips = swung_ && style > 0.6 && (place / step) % 2 == 0;
-                put(keeping, place, skips ? 0.1 : 0.97, style < 0.16 ? accent : weak);
+                put(keeping, place, skips ? 0.1 : 0.97, style < 0.19 ? accent : weak);
             }
             if (!swung_ && within % 2 == 1)
                 put(keeping, place, style > 0.78 ? 0.97 : 0.03, weak * 0.85);

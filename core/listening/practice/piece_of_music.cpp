@@ -15,6 +15,8 @@ namespace percussionist::listening::practice {
 
 namespace {
 
+constexpr double kUndrummed = 0.06;  ///< of pieces have no drums at all
+constexpr double kNoisy = 0.06;      ///< are noise above all
 constexpr double kChoke = 0.01;  ///< in which a hat that closes falls silent [s]
 
 bool is_hat(Piece piece) {
@@ -70,7 +72,8 @@ std::vector<double> drums(const Groove& groove, std::size_t samples, double rate
 
 /// What is there when nobody plays: amplifiers, air, mains.
 void add_ground(std::vector<double>& signal, double rate, Dice& dice) {
-    const double hiss = std::pow(10.0, dice.uniform(-90.0, -40.0) / 20.0);
+    const double hiss_db = dice.chance(kNoisy) ? dice.uniform(-30.0, 10.0) : dice.uniform(-90.0, -40.0);
+    const double hiss = std::pow(10.0, hiss_db / 20.0);
     const double rumble = std::pow(10.0, dice.uniform(-70.0, -20.0) / 20.0);
     Biquad low = Biquad::low_pass(dice.log_uniform(60.0, 600.0), rate);
     for (double& x : signal)
@@ -83,7 +86,9 @@ PieceOfMusic piece_of_music(std::uint64_t seed, double duration) {
     Dice dice(seed);
     PieceOfMusic piece;
     const auto samples = static_cast<std::size_t>(duration * piece.rate);
-    const Groove groove = throw_groove(duration, dice);
+    Groove groove = throw_groove(duration, dice);
+    const bool undrummed = dice.chance(kUndrummed);
+    if (undrummed) groove.strokes.clear();
     piece.beat = groove.beat;
     piece.beats = groove.beats;
     piece.signal = drums(groove, samples, piece.rate, dice);
@@ -94,7 +99,7 @@ PieceOfMusic piece_of_music(std::uint64_t seed, double duration) {
     if (dice.chance(0.9)) add_room(piece.signal, piece.rate, dice);
     if (dice.chance(0.5)) compress(piece.signal, piece.rate, dice);
     normalise(piece.signal);
-    piece.alone = dice.chance(0.35);
+    piece.alone = dice.chance(0.35) && !undrummed;
     if (!piece.alone) {
         std::vector<double> others = accompaniment(groove, samples, piece.rate, dice);
         if (dice.chance(0.5)) add_room(others, piece.rate, dice);

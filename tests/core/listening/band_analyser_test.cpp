@@ -35,7 +35,7 @@ double sine(double hz, double t) {
 
 TEST_CASE("a tone is loudest in the band that holds its frequency, at any rate") {
     for (const double rate : {44100.0, 48000.0, 96000.0}) {
-        for (const std::size_t band : {6U, 15U, 22U, 30U}) {
+        for (const std::size_t band : {10U, 15U, 22U, 30U}) {
             const double hz = level_frequency(band);
             const BandFrame frame = frame_of(rate, [&](double t) { return sine(hz, t); });
             const auto loudest = std::max_element(frame.level.begin(), frame.level.end());

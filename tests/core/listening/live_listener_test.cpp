@@ -66,7 +66,7 @@ TEST_CASE("an attack is told within 12 ms of its sound, its drum within 60 ms") 
             } else {
                 ++drums;
                 CHECK(after < 0.060);
-                CHECK(std::abs(std::remainder(t.event.time - 0.5, 0.4)) < 0.006);
+                CHECK(std::abs(std::remainder(t.event.time - 0.504, 0.4)) < 0.006);
             }
         }
         CHECK(attacks == 12);
