@@ -8,12 +8,12 @@ namespace percussionist::listening {
 
 namespace {
 
-constexpr float kSilent = 14.0F;    ///< below loud moments is silence [nats]
-constexpr float kNothing = -24.0F;  ///< of which nothing is learnt [nats]
+constexpr float kSilent = 14.0F;           ///< below loud moments is silence [nats]
+constexpr float kNothing = -24.0F;         ///< of which nothing is learnt [nats]
 constexpr float kBeforeAnything = -14.0F;  ///< what is usual before anything was heard [nats]
-constexpr double kMemory = 1600.0;  ///< [frames]
+constexpr double kMemory = 1600.0;         ///< [frames]
 constexpr float kUp = 0.06F, kDown = 0.003F, kTowards = 0.1F;  ///< of what is loud, a frame
-constexpr double kLoudPart = 0.95;  ///< of all moments are less loud
+constexpr double kLoudPart = 0.95;                             ///< of all moments are less loud
 
 template <std::size_t N>
 void approach(std::array<float, N>& mean, const std::array<float, N>& value, float share) noexcept {

@@ -16,8 +16,11 @@ namespace {
 constexpr double kShareOfHearing = 0.9;  ///< of the time it takes
 constexpr double kEcho = 0.04;           ///< one drum is not struck twice within [s]
 constexpr double kTogether = 0.03;       ///< two strokes within are one moment [s]
+constexpr std::size_t kEnough = 8;       ///< strokes to judge a time keeper by
+constexpr double kAloneAtLeast = 0.05;   ///< of them with neither kick, snare nor tom
+constexpr double kSure = 0.85;           ///< confidence
 constexpr double kUsualVelocity = 0.75;
-constexpr double kLoudPart = 0.8;        ///< of a drum's strokes are softer than a loud one
+constexpr double kLoudPart = 0.8;  ///< of a drum's strokes are softer than a loud one
 
 void check(std::span<const double> signal) {
     for (std::size_t n = 0; n < signal.size(); ++n) {
@@ -71,6 +74,32 @@ void powers_to_velocities(std::vector<DrumStroke>& strokes) {
     }
 }
 
+/// Who keeps time on a hat or a ride strikes it between the other drums too. One that is only ever
+/// heard with them is most likely their own brightness: only where it is sure does it stay.
+void doubt_time_keepers(DrumClass keeper, std::vector<DrumStroke>& strokes) {
+    const auto is_skin = [](DrumClass d) {
+        return d == DrumClass::kick || d == DrumClass::snare || d == DrumClass::tom;
+    };
+    const auto alone = [&](const DrumStroke& stroke) {
+        return std::none_of(strokes.begin(), strokes.end(), [&](const DrumStroke& other) {
+            return is_skin(other.drum) && std::abs(other.time - stroke.time) < kTogether;
+        });
+    };
+    std::size_t all = 0, by_themselves = 0;
+    for (const DrumStroke& stroke : strokes) {
+        if (!same_drum(stroke.drum, keeper)) continue;
+        ++all;
+        by_themselves += alone(stroke) ? 1 : 0;
+    }
+    if (all < kEnough ||
+        static_cast<double>(by_themselves) >= kAloneAtLeast * static_cast<double>(all)) {
+        return;
+    }
+    std::erase_if(strokes, [&](const DrumStroke& s) {
+        return same_drum(s.drum, keeper) && s.confidence < kSure;
+    });
+}
+
 /// Where a louder drum of the same moment fills the bands of a softer one, that one's power cannot
 /// be told: it is taken for usual.
 void cover_what_is_drowned(std::vector<DrumStroke>& strokes) {
@@ -119,6 +148,8 @@ Transcription transcribe(std::span<const double> signal, double rate, const Drum
         }
     }
     leave_out_echoes(made.strokes);
+    doubt_time_keepers(DrumClass::closed_hat, made.strokes);
+    doubt_time_keepers(DrumClass::ride, made.strokes);
     powers_to_velocities(made.strokes);
     cover_what_is_drowned(made.strokes);
     if (progress) progress(1.0);

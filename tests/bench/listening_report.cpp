@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "core/listening/live_listener.hpp"
 #include "core/listening/median.hpp"
 #include "core/listening/transcription.hpp"
 #include "files/wav_file.hpp"
@@ -196,6 +197,27 @@ class Report {
     int files_ = 0;
 };
 
+/// How much of a core live listening takes, in blocks of 64 samples, and its longest block.
+void report_live(const std::filesystem::path& path, const listening::DrumModel& model) {
+    using Clock = std::chrono::steady_clock;
+    const files::Audio audio = files::read_audio(path);
+    const auto signal = files::mono(audio);
+    const std::vector<float> samples(signal.begin(), signal.end());
+    listening::LiveListener listener({.rate = static_cast<double>(audio.rate)}, model);
+    std::chrono::duration<double> all{}, longest{};
+    for (std::size_t n = 0; n + 64 <= samples.size(); n += 64) {
+        const auto start = Clock::now();
+        listener.process({samples.data() + n, 64}, [](const auto&, std::size_t) {});
+        const std::chrono::duration<double> took = Clock::now() - start;
+        all += took;
+        longest = std::max(longest, took);
+    }
+    const double duration = static_cast<double>(signal.size()) / audio.rate;
+    std::printf("\nlive, %s: %.2f %% of a core, longest block %.2f ms\n",
+                path.filename().string().c_str(), 100.0 * all.count() / duration,
+                1e3 * longest.count());
+}
+
 std::vector<std::filesystem::path> annotations_in(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -218,16 +240,22 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        Report report(argc > 2 ? model_from(argv[2]) : listening::learnt_drums());
+        const listening::DrumModel model =
+            argc > 2 ? model_from(argv[2]) : listening::learnt_drums();
+        Report report(model);
+        std::filesystem::path last;
         for (const char* kind : {"-drums.wav", ".wav"}) {
             for (const auto& path : annotations_in(argv[1])) {
                 const std::string name = path.string();
                 const std::filesystem::path sound = name.substr(0, name.size() - 10) + kind;
-                if (std::filesystem::exists(sound)) report.recording(sound, read_annotations(path));
+                if (!std::filesystem::exists(sound)) continue;
+                report.recording(sound, read_annotations(path));
+                last = sound;
             }
             report.total(kind == std::string("-drums.wav") ? "drums alone, all"
                                                            : "full mixes, all");
         }
+        if (!last.empty()) report_live(last, model);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "listening_report: %s\n", error.what());
         return 1;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kUndrummed = 0.06;  ///< of pieces have no drums at all
 constexpr double kNoisy = 0.06;      ///< are noise above all
-constexpr double kChoke = 0.01;  ///< in which a hat that closes falls silent [s]
+constexpr double kChoke = 0.01;      ///< in which a hat that closes falls silent [s]
 
 bool is_hat(Piece piece) {
     return piece == Piece::closed_hat || piece == Piece::pedal_hat || piece == Piece::open_hat;
@@ -72,7 +72,8 @@ std::vector<double> drums(const Groove& groove, std::size_t samples, double rate
 
 /// What is there when nobody plays: amplifiers, air, mains.
 void add_ground(std::vector<double>& signal, double rate, Dice& dice) {
-    const double hiss_db = dice.chance(kNoisy) ? dice.uniform(-30.0, 10.0) : dice.uniform(-90.0, -40.0);
+    const double hiss_db =
+        dice.chance(kNoisy) ? dice.uniform(-30.0, 10.0) : dice.uniform(-90.0, -40.0);
     const double hiss = std::pow(10.0, hiss_db / 20.0);
     const double rumble = std::pow(10.0, dice.uniform(-70.0, -20.0) / 20.0);
     Biquad low = Biquad::low_pass(dice.log_uniform(60.0, 600.0), rate);

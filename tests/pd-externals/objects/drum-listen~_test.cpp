@@ -31,7 +31,9 @@ void click(FakeHost& host, FakeObject& object) {
     host.advance_to(host.now() + 0.1);
 }
 
-double number_of(const Atom& atom) { return std::get<double>(atom); }
+double number_of(const Atom& atom) {
+    return std::get<double>(atom);
+}
 
 }  // namespace
 
@@ -58,11 +60,16 @@ TEST_CASE("an attack is told within 12 ms and its age with it; drums within 60 m
 TEST_CASE("a drum learnt, saved, forgotten and loaded is known again") {
     FakeHost host;
     FakeObject& object = make(host);
-    const std::string file = (std::filesystem::temp_directory_path() / "drum-listen-test.txt").string();
+    const std::string file =
+        (std::filesystem::temp_directory_path() / "drum-listen-test.txt").string();
     const auto own = [&] {
         click(host, object);
         int count = 0;
-        for (const Sent& s : object.sent()) count += s.selector == "own" && std::string(std::get<const char*>(s.atoms.at(0))) == "click" ? 1 : 0;
+        for (const Sent& s : object.sent())
+            count +=
+                s.selector == "own" && std::string(std::get<const char*>(s.atoms.at(0))) == "click"
+                    ? 1
+                    : 0;
         return count;
     };
     CHECK(own() == 0);
