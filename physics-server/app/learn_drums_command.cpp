@@ -20,7 +20,7 @@ using namespace listening::practice;
 
 struct LearnDrumsOptions {
     std::filesystem::path output;
-    std::size_t pieces = 1500;
+    std::size_t pieces = 1300;
     double seconds = 12.0;
     LearningOptions learning;
 };
