@@ -1,10 +1,8 @@
 // A drum kit that nobody has heard before: each of its pieces a recipe thrown by dice within what
 // such drums are made of.
 //
-// Skins ring at the ratios of a circular membrane (the zeros of Bessel functions, over the first),
-// kicks and toms bend down in pitch, snares add wires that hiss, cymbals are dozens of partials in
-// no ratio above a bed of noise. Ranges are wide on purpose: who has listened to all of them knows
-// what a kick is, and not one kick.
+// Ranges are wide on purpose: who has listened to all of them knows what a kick is, and not one
+// kick.
 #pragma once
 
 #include <array>
