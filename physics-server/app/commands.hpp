@@ -25,4 +25,9 @@ void add_fastrak_sim_command(CLI::App& program);
 /// bench: how fast the simulation is.
 void add_bench_command(CLI::App& program);
 
+/// transcribe: which drums are struck when in a recording, as MIDI.
+void add_transcribe_command(CLI::App& program);
+/// learn-drums: what transcribe knows of drums, learnt from pieces the program makes up.
+void add_learn_drums_command(CLI::App& program);
+
 }  // namespace percussionist::app

@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
         add_bench_command(program);
         add_modes_command(program);
         add_drum_command(program);
+        add_transcribe_command(program);
+        add_learn_drums_command(program);
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error);

@@ -8,6 +8,7 @@
 #include "objects/matrix_objects.hpp"
 #include "pdx/object.hpp"
 
+extern "C" void setup_drum0x2dlisten_tilde();
 extern "C" void setup_modal0x2ddrum_tilde();
 extern "C" void setup_osc0x2dreceive();
 extern "C" void fastrak_tilde_setup();
@@ -70,7 +71,8 @@ TEST_CASE("a help patch says what its object's table says") {
         {"modal-drum~", setup_modal0x2ddrum_tilde},
         {"fastrak~", fastrak_tilde_setup},
         {"gesture-features", setup_gesture0x2dfeatures},
-        {"osc-receive", setup_osc0x2dreceive}};
+        {"osc-receive", setup_osc0x2dreceive},
+        {"drum-listen~", setup_drum0x2dlisten_tilde}};
     for (const auto& [name, setup] : objects) {
         if (!find_class(name)) {
             setup();
