@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -47,12 +48,12 @@ class LiveListener {
     /// Throws std::invalid_argument for a rate that it cannot hear at.
     LiveListener(const LiveSettings& settings, DrumModel model);
 
-    /// The next samples, as many as you like; tell(event, samples) for each event, after so many of
-    /// them.
+    /// What is no number is heard as silence. The next samples, as many as you like; tell(event,
+    /// samples) for each event, after so many of them.
     template <class Tell>
     void process(std::span<const float> samples, Tell tell) noexcept {
         for (std::size_t n = 0; n < samples.size(); ++n) {
-            waiting_[filled_] = static_cast<double>(samples[n]);
+            waiting_[filled_] = std::isfinite(samples[n]) ? static_cast<double>(samples[n]) : 0.0;
             if (++filled_ < waiting_.size()) continue;
             filled_ = 0;
             const std::size_t count = next_frame();
