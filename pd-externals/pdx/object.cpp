@@ -1,6 +1,7 @@
 #include "pdx/object.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "pdx/box.hpp"
 
@@ -8,17 +9,29 @@ namespace percussionist::pdx {
 
 namespace {
 
-std::vector<t_atom> to_pd(std::span<const Atom> values) {
-    std::vector<t_atom> atoms(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (is_number(values[i])) {
-            SETFLOAT(&atoms[i], static_cast<t_float>(std::get<double>(values[i])));
-        } else {
-            SETSYMBOL(&atoms[i], gensym(std::get<const char*>(values[i])));
+/// Pd's atoms of a list; a short one takes no memory from the heap.
+class PdAtoms {
+  public:
+    explicit PdAtoms(std::span<const Atom> values) : size_(values.size()) {
+        if (size_ > few_.size()) {
+            many_.resize(size_);
+        }
+        for (std::size_t i = 0; i < size_; ++i) {
+            if (is_number(values[i])) {
+                SETFLOAT(data() + i, static_cast<t_float>(std::get<double>(values[i])));
+            } else {
+                SETSYMBOL(data() + i, gensym(std::get<const char*>(values[i])));
+            }
         }
     }
-    return atoms;
-}
+    t_atom* data() { return many_.empty() ? few_.data() : many_.data(); }
+    int size() const { return static_cast<int>(size_); }
+
+  private:
+    std::size_t size_;
+    std::array<t_atom, 64> few_;
+    std::vector<t_atom> many_;
+};
 
 }  // namespace
 
@@ -34,6 +47,10 @@ double Object::now() {
     return logical_seconds();
 }
 
+double Object::tick_length() {
+    return sys_getblksize() / static_cast<double>(sys_getsr());
+}
+
 void Object::send_bang(std::size_t outlet) const {
     outlet_bang(box_.outlets[outlet]);
 }
@@ -43,14 +60,13 @@ void Object::send(std::size_t outlet, double number) const {
 }
 
 void Object::send(std::size_t outlet, std::span<const Atom> list) const {
-    auto atoms = to_pd(list);
-    outlet_list(box_.outlets[outlet], &s_list, static_cast<int>(atoms.size()), atoms.data());
+    PdAtoms atoms(list);
+    outlet_list(box_.outlets[outlet], &s_list, atoms.size(), atoms.data());
 }
 
 void Object::send(std::size_t outlet, const char* selector, std::span<const Atom> arguments) const {
-    auto atoms = to_pd(arguments);
-    outlet_anything(box_.outlets[outlet], gensym(selector), static_cast<int>(atoms.size()),
-                    atoms.data());
+    PdAtoms atoms(arguments);
+    outlet_anything(box_.outlets[outlet], gensym(selector), atoms.size(), atoms.data());
 }
 
 Clock::Clock(const Object& owner, std::function<void()> callback)

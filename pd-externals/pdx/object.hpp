@@ -73,6 +73,8 @@ class Object {
   protected:
     /// Logical time [s]: exact within a block, the same for all that happens at once.
     static double now();
+    /// How far Pd moves logical time on at once [s].
+    static double tick_length();
 
     void send_bang(std::size_t outlet) const;
     void send(std::size_t outlet, double number) const;

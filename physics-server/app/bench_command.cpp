@@ -31,8 +31,8 @@ void bench(const BenchOptions& options) {
     const double spent =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{:.0f} Hz: {:.0f} steps a second, {:.1f} times real time, {:.1f} us a step\n",
-               options.simulation.rate, static_cast<double>(steps) / spent,
-               options.seconds / spent, 1e6 * spent / static_cast<double>(steps));
+               options.simulation.rate, static_cast<double>(steps) / spent, options.seconds / spent,
+               1e6 * spent / static_cast<double>(steps));
 }
 
 }  // namespace

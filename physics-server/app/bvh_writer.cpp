@@ -46,8 +46,9 @@ void BvhWriter::joint(int index, int depth) {
         joint(i, depth + 1);
     }
     if (leaf) {
-        out_ << tab << "  End Site\n" << tab << "  {\n" << tab << "    "
-             << offset(s.end_rest - s.joint_rest) << tab << "  }\n";
+        out_ << tab << "  End Site\n"
+             << tab << "  {\n"
+             << tab << "    " << offset(s.end_rest - s.joint_rest) << tab << "  }\n";
     }
     out_ << tab << "}\n";
 }

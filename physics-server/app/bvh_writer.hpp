@@ -14,8 +14,7 @@ namespace percussionist::app {
 class BvhWriter {
   public:
     /// Throws std::runtime_error if the file cannot be written.
-    BvhWriter(const std::filesystem::path& path, const body::Skeleton& skeleton,
-              double frame_time);
+    BvhWriter(const std::filesystem::path& path, const body::Skeleton& skeleton, double frame_time);
 
     void add(const body::Placement& placement);
     /// Completes the file; throws std::runtime_error if it could not be written.

@@ -19,9 +19,8 @@ void add_check_command(CLI::App& program) {
     command.add_option("recording", files->recording, "audio file")->required();
     command.add_option("contacts", files->contacts, "contacts.csv, as serve and render write it")
         ->required();
-    command.callback([files] {
-        fmt::print("{}", describe(check_sound(files->recording, files->contacts)));
-    });
+    command.callback(
+        [files] { fmt::print("{}", describe(check_sound(files->recording, files->contacts))); });
 }
 
 }  // namespace percussionist::app

@@ -9,8 +9,9 @@
 
 int main(int argc, char** argv) {
     using namespace percussionist::app;
-    CLI::App program{"A simulated percussionist: a body in a physics engine that plays a score on a "
-                     "drum and tells every contact over OSC."};
+    CLI::App program{
+        "A simulated percussionist: a body in a physics engine that plays a score on a "
+        "drum and tells every contact over OSC."};
     program.name("percussionist");
     program.require_subcommand(1);
     program.set_version_flag("--version", PERCUSSIONIST_VERSION);

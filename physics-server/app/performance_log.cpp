@@ -63,12 +63,14 @@ TimingSummary PerformanceLog::summary(int asked) const {
 
 void PerformanceLog::write_csv(const std::filesystem::path& path) const {
     std::ofstream out(path);
-    out << "sequence,stroke,hand,drum,asked_s,asked_m_s,instant_s,x_m,y_m,r_m,theta_rad,vx_m_s,vy_m_s,"
+    out << "sequence,stroke,hand,drum,asked_s,asked_m_s,instant_s,x_m,y_m,r_m,theta_rad,vx_m_s,vy_"
+           "m_s,"
            "vz_m_s,fx_N,fy_N,fz_N,impulse_N_s,duration_s,effective_mass_kg,recontact\n";
     for (const LoggedContact& c : contacts_) {
         const sim::ContactEvent& e = c.event;
         out << fmt::format(
-            "{},{},{},{},{:.9f},{:.6f},{:.9f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.4f},"
+            "{},{},{},{},{:.9f},{:.6f},{:.9f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:."
+            "4f},"
             "{:.4f},{:.4f},{:.8f},{:.7f},{:.6f},{}\n",
             c.sequence, c.stroke, e.hand == body::Hand::left ? "left" : "right", e.drum,
             c.asked_time, c.asked_speed, e.instant, e.place.x(), e.place.y(),

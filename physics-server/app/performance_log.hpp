@@ -14,17 +14,17 @@ namespace percussionist::app {
 struct LoggedContact {
     sim::ContactEvent event;
     int sequence = 0;
-    int stroke = -1;          ///< -1: it came of none
-    double asked_time = 0.0;  ///< of that stroke, simulated [s]
+    int stroke = -1;           ///< -1: it came of none
+    double asked_time = 0.0;   ///< of that stroke, simulated [s]
     double asked_speed = 0.0;  ///< of that stroke, at the impact [m/s]
 };
 
 struct TimingSummary {
-    int strokes = 0;         ///< asked for
-    int contacts = 0;        ///< made by strokes, the first of each
-    int missed = 0;          ///< strokes without a contact
-    int uncalled = 0;        ///< contacts beyond the first of a stroke, or of none
-    double offset = 0.0;     ///< median of contact - asked [s]
+    int strokes = 0;      ///< asked for
+    int contacts = 0;     ///< made by strokes, the first of each
+    int missed = 0;       ///< strokes without a contact
+    int uncalled = 0;     ///< contacts beyond the first of a stroke, or of none
+    double offset = 0.0;  ///< median of contact - asked [s]
     double median_error = 0.0, worst_error = 0.0;  ///< of |contact - asked - offset| [s]
 };
 

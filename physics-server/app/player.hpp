@@ -1,5 +1,6 @@
 // Plays a list of strokes on the simulated percussionist: tells each hand its next stroke when the
-// one before has struck, follows changes of tempo, and finds for each contact the stroke it came of.
+// one before has struck, follows changes of tempo, and finds for each contact the stroke it came
+// of.
 //
 // Simulating thread. Score time is seconds at the score's own tempo; simulated time s is reached at
 // score time (s - origin) x tempo.

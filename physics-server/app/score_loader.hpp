@@ -21,7 +21,6 @@ LoadedScore load_score(const std::filesystem::path& path);
 
 /// The file `name` inside `folder`, or an error: std::runtime_error if it lies outside or is not
 /// there. An empty name, or "built-in", is the built-in score (an empty path).
-std::filesystem::path score_in_folder(const std::filesystem::path& folder,
-                                      const std::string& name);
+std::filesystem::path score_in_folder(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace percussionist::app

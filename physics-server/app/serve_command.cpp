@@ -16,7 +16,9 @@ namespace {
 
 std::atomic<bool> g_stop{false};
 
-void ask_to_stop(int) { g_stop = true; }
+void ask_to_stop(int) {
+    g_stop = true;
+}
 
 void serve(const ServeOptions& options) {
     std::signal(SIGINT, ask_to_stop);

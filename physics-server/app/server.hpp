@@ -60,9 +60,9 @@ class Server {
     Performance performance_;
     osc::Endpoint endpoint_;
     std::future<LoadedScore> loading_;
-    double start_ = 0.0;           ///< wall clock at simulated time 0 [s]
+    double start_ = 0.0;                          ///< wall clock at simulated time 0 [s]
     double next_pose_ = 0.0, next_status_ = 0.0;  ///< simulated [s]
-    double busy_ = 0.0;            ///< computing time since the last status [s]
+    double busy_ = 0.0;                           ///< computing time since the last status [s]
     int late_steps_ = 0;
     bool ended_ = false;
 };

@@ -16,10 +16,11 @@ double monotonic() {
 }  // namespace
 
 SystemClock::SystemClock()
-    : offset_(Seconds(std::chrono::system_clock::now().time_since_epoch()).count() - monotonic()) {
-}
+    : offset_(Seconds(std::chrono::system_clock::now().time_since_epoch()).count() - monotonic()) {}
 
-double SystemClock::now() const { return monotonic() + offset_; }
+double SystemClock::now() const {
+    return monotonic() + offset_;
+}
 
 void SystemClock::sleep_until(double time) {
     const double wait = time - now();

@@ -28,12 +28,11 @@ void central_difference(const Skeleton& skeleton, const Placement& before, const
     }
 }
 
-void joint_torques(const Skeleton& skeleton, const Placement& now,
-                   const Acceleration& acceleration, std::vector<Vector3>& torques) {
+void joint_torques(const Skeleton& skeleton, const Placement& now, const Acceleration& acceleration,
+                   std::vector<Vector3>& torques) {
     for (Vector3& torque : torques) torque.setZero();
     for (int k = 1; k < skeleton.size(); ++k) {
-        const Vector3 force =
-            skeleton.segments[k].mass * (acceleration.linear[k] - kGravity);
+        const Vector3 force = skeleton.segments[k].mass * (acceleration.linear[k] - kGravity);
         for (int j = k; j > 0; j = skeleton.segments[j].parent) {
             torques[j] += (now.com[k] - now.joint[j]).cross(force) + acceleration.momentum[k];
         }

@@ -18,8 +18,8 @@ namespace percussionist::body {
 
 /// The acceleration of each segment.
 struct Acceleration {
-    std::vector<Vector3> linear;     ///< of the centre of mass, world [m/s^2]
-    std::vector<Vector3> momentum;   ///< d(I w)/dt about the centre of mass, world [N m]
+    std::vector<Vector3> linear;    ///< of the centre of mass, world [m/s^2]
+    std::vector<Vector3> momentum;  ///< d(I w)/dt about the centre of mass, world [N m]
     explicit Acceleration(const Skeleton& skeleton)
         : linear(skeleton.segments.size(), Vector3::Zero()),
           momentum(skeleton.segments.size(), Vector3::Zero()) {}
@@ -31,8 +31,8 @@ void central_difference(const Skeleton& skeleton, const Placement& before, const
 
 /// The torque [N m], world frame, that each joint exerts on its segment (and takes from its parent)
 /// to move so under gravity. Entry 0, the pelvis, is what holds it and is not computed.
-void joint_torques(const Skeleton& skeleton, const Placement& now,
-                   const Acceleration& acceleration, std::vector<Vector3>& torques);
+void joint_torques(const Skeleton& skeleton, const Placement& now, const Acceleration& acceleration,
+                   std::vector<Vector3>& torques);
 
 /// The effective mass [kg] of a stick's tip along a unit `normal`, 1 / (n^T J M^-1 J^T n), for a
 /// body whose joints answer within a step of h as implicit springs: to the joint-space inertia M of

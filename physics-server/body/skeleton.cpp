@@ -70,9 +70,8 @@ class Builder {
         const Vector3 up = Vector3::UnitZ();
         add("pelvis", "", -1, {0, 0, l_.hip_height}, up, kLowerTrunk, l_.lower_trunk,
             {0.20, 0.32, 0.16}, 0, 0, {});
-        const int abdomen =
-            add("abdomen", "lumbar", 0, {0, 0, l_.lumbar_height}, up, kMiddleTrunk,
-                l_.middle_trunk, {0.20, 0.30, 0.17}, 200, 0.03, spine());
+        const int abdomen = add("abdomen", "lumbar", 0, {0, 0, l_.lumbar_height}, up, kMiddleTrunk,
+                                l_.middle_trunk, {0.20, 0.30, 0.17}, 200, 0.03, spine());
         Share chest_share = kUpperTrunk;
         chest_share.mass -= 2 * kClavicleMass;
         const int chest =
@@ -110,40 +109,41 @@ class Builder {
         return skeleton_.size() - 1;
     }
 
+    /// Limits of a joint on the left, or its mirror image on the right.
+    static JointLimits sided(Hand hand, double z0, double z1, double y0, double y1, double x0,
+                             double x1) {
+        return hand == Hand::left ? limits(z0, z1, y0, y1, x0, x1)
+                                  : limits(-z1, -z0, y0, y1, -x1, -x0);
+    }
+
     void add_arm(Hand hand, int chest) {
         const double y = hand == Hand::left ? 1.0 : -1.0;
         const std::string side = Skeleton::side(hand);
         const double half_width = l_.shoulder_half_width;
         const Vector3 down = -Vector3::UnitZ();
         const Vector3 front = Vector3::UnitX();
-        const auto mirrored = [&](double z0, double z1, double y0, double y1, double x0,
-                                  double x1) {
-            return hand == Hand::left ? limits(z0, z1, y0, y1, x0, x1)
-                                      : limits(-z1, -z0, y0, y1, -x1, -x0);
-        };
-
         const Vector3 sternum(0, 0.04 * y, l_.shoulder_height);
         const Vector3 shoulder(0, half_width * y, l_.shoulder_height);
         const int clavicle =
             add(side + "clavicle", side + "clavicle", chest, sternum, y * Vector3::UnitY(),
                 {kClavicleMass, 0.5, 0.30, 0.12, 0.30}, half_width - 0.04, {0.05, 0.14, 0.05}, 100,
-                0.05, mirrored(-20, 20, -20, 20, -20, 20));
+                0.05, sided(hand, -20, 20, -20, 20, -20, 20));
         // Elevation and rotation of the upper arm; flexion (about -y) as far as the arm goes up.
         const double upper = l_.upper_arm;
         const int upper_arm =
             add(side + "upper_arm", side + "shoulder", clavicle, shoulder, down, kUpperArm, upper,
-                {0.08, 0.08, upper}, 100, 1.0, mirrored(-90, 90, -90, 90, -60, 90));
+                {0.08, 0.08, upper}, 100, 1.0, sided(hand, -90, 90, -90, 90, -60, 90));
         // At rest the elbow is bent by 90 degrees: 170 of flexion from straight is 80 from here.
         const double fore = l_.forearm;
         const Vector3 elbow = shoulder + upper * down;
         const int forearm =
             add(side + "forearm", side + "elbow", upper_arm, elbow, front, kForearm, fore,
-                {fore, 0.07, 0.07}, 60, 1.0, mirrored(-30, 30, -80, 88, -90, 90));
+                {fore, 0.07, 0.07}, 60, 1.0, sided(hand, -30, 30, -80, 88, -90, 90));
         const Vector3 wrist = elbow + fore * front;
         const double palm = l_.hand;
-        const int palm_index = add(side + "hand", side + "wrist", forearm, wrist, front, kHand,
-                                   palm, {0.17, 0.08, 0.03}, 20, 1.0,
-                                   mirrored(-45, 45, -88, 88, -45, 45));
+        const int palm_index =
+            add(side + "hand", side + "wrist", forearm, wrist, front, kHand, palm,
+                {0.17, 0.08, 0.03}, 20, 1.0, sided(hand, -45, 45, -88, 88, -45, 45));
         add_stick(hand, palm_index, wrist + (palm - 0.005) * front);
     }
 
@@ -176,14 +176,14 @@ class Builder {
         const Vector3 hip(0, l_.hip_half_width * y, l_.hip_height);
         const Vector3 knee = hip + l_.thigh * down;
         const Vector3 ankle = knee + l_.shank * down;
-        const int thigh = add(side + "thigh", side + "hip", 0, hip, down, kThigh,
-                              l_.thigh, {0.14, 0.14, l_.thigh}, 200, 0,
-                              limits(-60, 70, -88, 88, -88, 20));
-        const int shank = add(side + "shank", side + "knee", thigh, knee, down, kShank,
-                              l_.shank, {0.10, 0.10, l_.shank}, 150, 0,
-                              limits(-20, 20, -10, 88, -20, 20));
+        const int thigh =
+            add(side + "thigh", side + "hip", 0, hip, down, kThigh, l_.thigh,
+                {0.14, 0.14, l_.thigh}, 200, 0, sided(hand, -60, 70, -88, 20, -30, 70));
+        const int shank =
+            add(side + "shank", side + "knee", thigh, knee, down, kShank, l_.shank,
+                {0.10, 0.10, l_.shank}, 150, 0, sided(hand, -20, 20, -10, 88, -20, 20));
         add(side + "foot", side + "ankle", shank, ankle, Vector3::UnitX(), kFoot, l_.foot,
-            {0.25, 0.09, 0.06}, 80, 0, limits(-30, 30, -40, 40, -30, 30));
+            {0.25, 0.09, 0.06}, 80, 0, sided(hand, -30, 30, -40, 40, -30, 30));
     }
 
     Anthropometry person_;
@@ -253,8 +253,8 @@ Skeleton make_skeleton(const Anthropometry& anthropometry) {
     }
     check_range(anthropometry.stick.mass, 0.001, 2.0, "stick mass", "kg");
     check_range(anthropometry.stick.length, 0.1, 1.0, "stick length", "m");
-    check_range(anthropometry.stick.held_at, 0.0, 0.5 * anthropometry.stick.length,
-                "stick held at", "m");
+    check_range(anthropometry.stick.held_at, 0.0, 0.5 * anthropometry.stick.length, "stick held at",
+                "m");
     check_range(anthropometry.stick.tip_radius, 0.001, 0.1, "stick tip radius", "m");
     return Builder(anthropometry).build();
 }

@@ -35,16 +35,16 @@ struct JointLimits {
 
 struct Segment {
     std::string name;
-    std::string joint;                       ///< the joint that hangs it on its parent
-    int parent = -1;                         ///< index, below this segment's own; -1: the pelvis
-    Vector3 joint_rest = Vector3::Zero();    ///< the joint's place at rest, world [m]
-    Vector3 com_rest = Vector3::Zero();      ///< the centre of mass at rest, world [m]
-    double mass = 0.0;                       ///< [kg]
-    Vector3 inertia = Vector3::Zero();       ///< principal moments about the centre of mass [kg m^2]
-    Vector3 size = Vector3::Zero();          ///< a box that looks like it, for drawing [m]
-    Vector3 end_rest = Vector3::Zero();      ///< its far end at rest, world [m]
-    double torque_limit = 0.0;               ///< of its joint, each axis [N m]
-    double reach = 0.0;                      ///< how readily inverse kinematics moves its joint, 0..1
+    std::string joint;                     ///< the joint that hangs it on its parent
+    int parent = -1;                       ///< index, below this segment's own; -1: the pelvis
+    Vector3 joint_rest = Vector3::Zero();  ///< the joint's place at rest, world [m]
+    Vector3 com_rest = Vector3::Zero();    ///< the centre of mass at rest, world [m]
+    double mass = 0.0;                     ///< [kg]
+    Vector3 inertia = Vector3::Zero();     ///< principal moments about the centre of mass [kg m^2]
+    Vector3 size = Vector3::Zero();        ///< a box that looks like it, for drawing [m]
+    Vector3 end_rest = Vector3::Zero();    ///< its far end at rest, world [m]
+    double torque_limit = 0.0;             ///< of its joint, each axis [N m]
+    double reach = 0.0;                    ///< how readily inverse kinematics moves its joint, 0..1
     JointLimits limits;
 };
 

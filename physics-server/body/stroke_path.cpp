@@ -8,7 +8,7 @@ namespace {
 
 /// A quintic that comes to rest from speed v (or starts from rest) within T covers v T / 2 if its
 /// speed is not to overshoot; played strokes peak at 1.2 to 1.4 times their speed at the impact
-/// (docs/physics.md), which this share of v T gives.
+/// (docs/body.md), which this share of v T gives.
 constexpr double kShare = 1.0 / 1.7;
 /// Below this time between strokes the tip swings from one to the next in a single arc [s].
 constexpr double kSingleArc = 0.30;
@@ -18,6 +18,8 @@ constexpr double kHighestRebound = 0.42;
 /// From the top of a rebound to the waiting height, and from there to the raised stick [s].
 constexpr double kSinkTime = 0.40;
 constexpr double kRaiseTime = 0.35;
+/// In a rise shorter than this the hand need not catch up with the tip [s].
+constexpr double kShortRise = 0.1;
 /// How much of the tip's movement the hand makes.
 constexpr double kHandShare = 0.45;
 constexpr double kHandSpeedShare = 0.10;
@@ -83,8 +85,12 @@ StrokePath::StrokePath(double now) {
     hand_.add(now, hand, now + kForever, hand);
 }
 
-PathState StrokePath::tip(double t) const { return tip_.at(t); }
-PathState StrokePath::hand(double t) const { return hand_.at(t); }
+PathState StrokePath::tip(double t) const {
+    return tip_.at(t);
+}
+PathState StrokePath::hand(double t) const {
+    return hand_.at(t);
+}
 
 double StrokePath::free_from(double now) const {
     if (next_.holds(now)) return next_.leaves;
@@ -106,18 +112,25 @@ StrokePath::Pen StrokePath::cut(double now) {
 
 void StrokePath::draw(Pen& pen, double t, const PathState& tip, const PathState& hand) {
     tip_.add(pen.time, pen.tip, t, tip);
-    // Where the tip flies over a top the hand goes with it.
     const Quintic flight(pen.time, pen.tip, t, tip);
     const double top = flight.top();
     const double height = flight.at(top).position;
     constexpr double kLowest = 0.01;  // of a top that is one [m]
-    if (top < t && top > pen.time && height > std::max(pen.tip.position, tip.position) + kLowest) {
-        const PathState over{kHandShare * height, 0.0, 0.0};
-        hand_.add(pen.time, pen.hand, top, over);
-        hand_.add(top, over, t, hand);
-    } else {
-        hand_.add(pen.time, pen.hand, t, hand);
+    PathState between = pen.hand;
+    double at = pen.time;
+    if (top < t && top > at && height > std::max(pen.tip.position, tip.position) + kLowest) {
+        // Where the tip flies over a top the hand goes with it.
+        between = {kHandShare * height, 0.0, 0.0};
+        at = top;
+    } else if (pen.tip.velocity > 0.0 && t - at > kShortRise) {
+        // Thrown up by the head the tip is fast at first; the hand catches up with it.
+        at += (t - at) / 3.0;
+        const PathState rising = flight.at(at);
+        between = {kHandShare * rising.position, kHandShare * rising.velocity,
+                   kHandShare * rising.acceleration};
     }
+    hand_.add(pen.time, pen.hand, at, between);
+    hand_.add(at, between, t, hand);
     pen = {t, tip, hand};
 }
 

@@ -5,9 +5,9 @@
 //     where the tip is - rebound - waiting height - raised - impact - the dip into the head -
 // where the dip is not a wish but a forecast: the head throws the stick back, and a target that
 // knows how far, how long and how fast leaves the controller nothing to fight. aim() may be called
-// at any time, also while a stroke is under way: the path goes on from where it is, so that a change
-// of tempo bends it without a jump. The hand makes a share of every rise of the tip, so that the
-// stick never points straight up.
+// at any time, also while a stroke is under way: the path goes on from where it is, so that a
+// change of tempo bends it without a jump. The hand makes a share of every rise of the tip, so that
+// the stick never points straight up.
 //
 // No allocation after construction; deterministic; one thread.
 #pragma once

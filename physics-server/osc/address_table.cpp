@@ -18,7 +18,9 @@ std::string text(std::span<const Argument> arguments, std::size_t index,
     return index < arguments.size() ? std::get<std::string>(arguments[index]) : otherwise;
 }
 
-std::string port_text(double port) { return std::to_string(static_cast<int>(port)); }
+std::string port_text(double port) {
+    return std::to_string(static_cast<int>(port));
+}
 
 Feed feed(const std::string& name) {
     if (name == "pose") return Feed::pose;
@@ -30,14 +32,20 @@ constexpr Parameter kPort{"PORT", "", false, true, 1, 65535};
 std::vector<Address> make_table() {
     using Arguments = std::span<const Argument>;
     return {
-        {"/play", "play the score from its beginning", {},
+        {"/play",
+         "play the score from its beginning",
+         {},
          [](Arguments, const Peer&) -> Command { return Play{}; }},
-        {"/stop", "stop playing and let the sticks rest", {},
+        {"/stop",
+         "stop playing and let the sticks rest",
+         {},
          [](Arguments, const Peer&) -> Command { return Stop{}; }},
-        {"/tempo", "how fast, as a multiple of the score's own tempo; at once",
+        {"/tempo",
+         "how fast, as a multiple of the score's own tempo; at once",
          {{"FACTOR", "", false, true, 0.1, 10.0}},
          [](Arguments a, const Peer&) -> Command { return Tempo{number(a, 0)}; }},
-        {"/score", "load a Standard MIDI File from the server's score folder, or built-in",
+        {"/score",
+         "load a Standard MIDI File from the server's score folder, or built-in",
          {{"FILE", "", true, true}},
          [](Arguments a, const Peer& from) -> Command {
              return LoadScore{text(a, 0, ""), from};
@@ -47,18 +55,22 @@ std::vector<Address> make_table() {
          "pose or all",
          {kPort, {"FEED", "", true, false}, {"HOST", "", true, false}},
          [](Arguments a, const Peer& from) -> Command {
-             return Subscribe{{text(a, 2, from.host), port_text(number(a, 0))},
-                              from,
-                              feed(text(a, 1, "sound"))};
+             return Subscribe{
+                 {text(a, 2, from.host), port_text(number(a, 0))}, from, feed(text(a, 1, "sound"))};
          }},
-        {"/unsubscribe", "send no more to PORT of the asker or of HOST",
+        {"/unsubscribe",
+         "send no more to PORT of the asker or of HOST",
          {kPort, {"HOST", "", true, false}},
          [](Arguments a, const Peer& from) -> Command {
              return Unsubscribe{{text(a, 1, from.host), port_text(number(a, 0))}};
          }},
-        {"/ping", "answered by /pong to the asker", {},
+        {"/ping",
+         "answered by /pong to the asker",
+         {},
          [](Arguments, const Peer& from) -> Command { return Ping{from}; }},
-        {"/describe", "answered by this table, a /description each", {},
+        {"/describe",
+         "answered by this table, a /description each",
+         {},
          [](Arguments, const Peer& from) -> Command { return Describe{from}; }},
     };
 }
@@ -117,8 +129,7 @@ std::string usage(const Address& address) {
 }
 
 std::variant<Command, Refusal> understand(const std::string& path,
-                                          std::span<const Argument> arguments,
-                                          const Peer& sender) {
+                                          std::span<const Argument> arguments, const Peer& sender) {
     for (const Address& address : address_table()) {
         if (path != address.path) continue;
         const std::string reason = fault(address, arguments);

@@ -18,10 +18,10 @@ using Argument = std::variant<double, std::string>;
 
 struct Parameter {
     const char* name;
-    const char* unit;         ///< "" where there is none
-    bool text = false;        ///< a string; else a number
+    const char* unit;   ///< "" where there is none
+    bool text = false;  ///< a string; else a number
     bool required = true;
-    double least = 0.0;       ///< of a number
+    double least = 0.0;  ///< of a number
     double most = 0.0;
 };
 
@@ -41,8 +41,7 @@ struct Refusal {
 
 /// What a message says. Never throws for any input.
 std::variant<Command, Refusal> understand(const std::string& path,
-                                          std::span<const Argument> arguments,
-                                          const Peer& sender);
+                                          std::span<const Argument> arguments, const Peer& sender);
 
 /// "/tempo FACTOR (0.1 to 10): ..." for each address.
 std::string usage(const Address& address);

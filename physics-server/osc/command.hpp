@@ -39,7 +39,6 @@ struct Describe {
     Peer asker;
 };
 
-using Command =
-    std::variant<Play, Stop, Tempo, LoadScore, Subscribe, Unsubscribe, Ping, Describe>;
+using Command = std::variant<Play, Stop, Tempo, LoadScore, Subscribe, Unsubscribe, Ping, Describe>;
 
 }  // namespace percussionist::osc

@@ -1,8 +1,9 @@
 // The server's end of the wire: a thread that hears commands, a thread that tells subscribers.
 //
-// The simulating thread calls tell() and take_commands(); neither waits for a socket (a call of send
-// costs tens of microseconds) nor for a name to be looked up. Losing packets loses no stroke: every
-// contact is sent again a few times within the lookahead, and the last few ride along with each.
+// The simulating thread calls tell() and take_commands(); neither waits for a socket (a call of
+// send costs tens of microseconds) nor for a name to be looked up. Losing packets loses no stroke:
+// every contact is sent again a few times within the lookahead, and the last few ride along with
+// each.
 #pragma once
 
 #include <condition_variable>
@@ -22,13 +23,13 @@ namespace percussionist::osc {
 struct EndpointOptions {
     std::string listen = "127.0.0.1";  ///< address to bind to
     int port = 7770;
-    double lookahead = 0.030;          ///< [s]
+    double lookahead = 0.030;  ///< [s]
 };
 
 class Endpoint {
   public:
-    /// Both threads start here. `wall` reads the server's steady wall clock [s]; called from the sending thread. Throws
-    /// std::runtime_error if the port cannot be had.
+    /// Both threads start here. `wall` reads the server's steady wall clock [s]; called from the
+    /// sending thread. Throws std::runtime_error if the port cannot be had.
     Endpoint(const EndpointOptions& options, std::function<double()> wall);
     ~Endpoint();
 

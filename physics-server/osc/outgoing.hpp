@@ -1,4 +1,5 @@
-// What the server tells: plain values, SI units; docs/osc-protocol.md says how they stand on the wire.
+// What the server tells: plain values, SI units; docs/osc-protocol.md says how they stand on the
+// wire.
 #pragma once
 
 #include <array>
@@ -13,11 +14,11 @@ namespace percussionist::osc {
 struct ContactMessage {
     std::int32_t sequence = 0;
     std::int32_t hand = 0, drum = 0, stroke = -1;
-    double wall = 0.0;     ///< when it happened, wall clock [s]
-    double instant = 0.0;  ///< the same, simulated time [s]
-    std::array<float, 2> place{};     ///< x y [m]
-    std::array<float, 3> velocity{};  ///< [m/s]
-    std::array<float, 3> force{};     ///< peak [N]
+    double wall = 0.0;                          ///< when it happened, wall clock [s]
+    double instant = 0.0;                       ///< the same, simulated time [s]
+    std::array<float, 2> place{};               ///< x y [m]
+    std::array<float, 3> velocity{};            ///< [m/s]
+    std::array<float, 3> force{};               ///< peak [N]
     float impulse = 0, duration = 0, mass = 0;  ///< [N s], [s], [kg]
     bool recontact = false;
 };

@@ -45,7 +45,9 @@ UdpSocket::UdpSocket(const std::string& host, int port) {
     }
 }
 
-UdpSocket::~UdpSocket() { close(fd_); }
+UdpSocket::~UdpSocket() {
+    close(fd_);
+}
 
 int UdpSocket::port() const {
     sockaddr_in address{};

@@ -25,7 +25,9 @@ struct BundleFree {
 };
 using Bundle = std::unique_ptr<std::remove_pointer_t<lo_bundle>, BundleFree>;
 
-Bundle make_bundle(double wall) { return Bundle(lo_bundle_new(time_tag(wall))); }
+Bundle make_bundle(double wall) {
+    return Bundle(lo_bundle_new(time_tag(wall)));
+}
 
 Packet serialise(const Bundle& bundle) {
     std::size_t size = lo_bundle_length(bundle.get());
@@ -34,9 +36,15 @@ Packet serialise(const Bundle& bundle) {
     return packet;
 }
 
-void add(lo_message message, float value) { lo_message_add_float(message, value); }
-void add(lo_message message, double value) { lo_message_add_double(message, value); }
-void add(lo_message message, std::int32_t value) { lo_message_add_int32(message, value); }
+void add(lo_message message, float value) {
+    lo_message_add_float(message, value);
+}
+void add(lo_message message, double value) {
+    lo_message_add_double(message, value);
+}
+void add(lo_message message, std::int32_t value) {
+    lo_message_add_int32(message, value);
+}
 void add(lo_message message, const std::string& value) {
     lo_message_add_string(message, value.c_str());
 }
@@ -52,12 +60,11 @@ Bundle contact_bundle(const ContactMessage& c, double lookahead) {
     Bundle bundle = make_bundle(c.wall + lookahead);
     const float r = std::hypot(c.place[0], c.place[1]);
     const float theta = std::atan2(c.place[1], c.place[0]);
-    lo_bundle_add_message(
-        bundle.get(), "/contact",
-        make_message(c.sequence, c.hand, c.drum, c.stroke, c.instant, c.place[0], c.place[1], r,
-                     theta, c.velocity[0], c.velocity[1], c.velocity[2], c.force[0], c.force[1],
-                     c.force[2], c.impulse, c.duration, c.mass,
-                     static_cast<std::int32_t>(c.recontact)));
+    lo_bundle_add_message(bundle.get(), "/contact",
+                          make_message(c.sequence, c.hand, c.drum, c.stroke, c.instant, c.place[0],
+                                       c.place[1], r, theta, c.velocity[0], c.velocity[1],
+                                       c.velocity[2], c.force[0], c.force[1], c.force[2], c.impulse,
+                                       c.duration, c.mass, static_cast<std::int32_t>(c.recontact)));
     return bundle;
 }
 
@@ -71,15 +78,24 @@ Packet one_message(double tag, const char* address, const Values&... values) {
 /// The value of one argument; numbers of all types become double.
 Argument argument(char type, lo_arg* value) {
     switch (type) {
-        case LO_INT32: return static_cast<double>(value->i);
-        case LO_INT64: return static_cast<double>(value->h);
-        case LO_FLOAT: return static_cast<double>(value->f);
-        case LO_DOUBLE: return value->d;
-        case LO_STRING: return std::string(&value->s);
-        case LO_SYMBOL: return std::string(&value->S);
-        case LO_TRUE: return 1.0;
-        case LO_FALSE: return 0.0;
-        default: return std::string(1, type);
+        case LO_INT32:
+            return static_cast<double>(value->i);
+        case LO_INT64:
+            return static_cast<double>(value->h);
+        case LO_FLOAT:
+            return static_cast<double>(value->f);
+        case LO_DOUBLE:
+            return value->d;
+        case LO_STRING:
+            return std::string(&value->s);
+        case LO_SYMBOL:
+            return std::string(&value->S);
+        case LO_TRUE:
+            return 1.0;
+        case LO_FALSE:
+            return 0.0;
+        default:
+            return std::string(1, type);
     }
 }
 
@@ -164,8 +180,19 @@ Packet encode_clock(double wall, double lookahead) {
 }
 
 Packet encode_text(const std::string& address, std::span<const std::string> texts) {
+    const std::vector<Argument> arguments(texts.begin(), texts.end());
+    return encode_message(address, arguments);
+}
+
+Packet encode_message(const std::string& address, std::span<const Argument> arguments) {
     lo_message message = lo_message_new();
-    for (const std::string& text : texts) add(message, text);
+    for (const Argument& argument : arguments) {
+        if (const auto* text = std::get_if<std::string>(&argument)) {
+            add(message, *text);
+        } else {
+            add(message, static_cast<float>(std::get<double>(argument)));
+        }
+    }
     std::size_t size = lo_message_length(message, address.c_str());
     Packet packet(size);
     lo_message_serialise(message, address.c_str(), packet.data(), &size);

@@ -24,8 +24,9 @@ Packet encode(const FinishedMessage& finished, double lookahead);
 Packet encode(const ErrorMessage& error);
 /// The instant of sending, announced with the lookahead: what a receiver sets its clock by.
 Packet encode_clock(double wall, double lookahead);
-/// A single message of texts, to be acted on at once.
+/// A single message, to be acted on at once: of texts, or of numbers (floats) and texts.
 Packet encode_text(const std::string& address, std::span<const std::string> texts);
+Packet encode_message(const std::string& address, std::span<const Argument> arguments);
 
 /// Calls `heard` for each message of a packet, bundled or not. False if it was not OSC.
 bool decode(std::span<const char> bytes,

@@ -104,11 +104,10 @@ void Controller::feed_forward(const Target& target) {
     for (int i = 1; i < body_.skeleton().size(); ++i) {
         // From the frame of the target's parent to that of the parent as it is.
         const int parent = body_.skeleton().segments[i].parent;
-        const Quaternion turn = orientation(body_.segment(parent)) *
-                                target.placed_now.orientation[parent].conjugate();
+        const Quaternion turn =
+            orientation(body_.segment(parent)) * target.placed_now.orientation[parent].conjugate();
         const double limit = body_.skeleton().segments[i].torque_limit;
-        body_.add_joint_torque(
-            i, (turn * torques_[i]).cwiseMax(-limit).cwiseMin(limit));
+        body_.add_joint_torque(i, (turn * torques_[i]).cwiseMax(-limit).cwiseMin(limit));
     }
 }
 
@@ -123,9 +122,10 @@ void Controller::apply_implicit(int joint, const Target& target) {
     const Vector3 error = above * quaternion_log(wanted * relative.conjugate());
     Vector3 rate = Vector3::Zero();
     if (!stopped) {
-        rate = above * (quaternion_log(target.after.joints[joint] *
-                                       target.before.joints[joint].conjugate()) /
-                        (2.0 * h_));
+        rate =
+            above *
+            (quaternion_log(target.after.joints[joint] * target.before.joints[joint].conjugate()) /
+             (2.0 * h_));
     }
     const Gains g = gains(joint, stopped ? kStopFrequency : frequency(joint, target));
     const double softness = 1.0 / (h_ * g.kp + g.kd);
@@ -145,16 +145,13 @@ void Controller::apply_paper(int joint, const Target& target) {
     const Quaternion above = orientation(body_.parent(joint));
     const Quaternion here = orientation(body_.segment(joint));
     const Quaternion relative = above.conjugate() * here;
-    const Vector3 error =
-        here.conjugate() *
-        (above * quaternion_log(target.now.joints[joint] * relative.conjugate()));
+    const Vector3 error = here.conjugate() *
+                          (above * quaternion_log(target.now.joints[joint] * relative.conjugate()));
     const Vector3 rate = here.conjugate() * (angular_velocity(body_.segment(joint)) -
                                              angular_velocity(body_.parent(joint)));
     const double w = 2.0 * std::numbers::pi * options_.paper_frequency;
-    const Vector3 torque =
-        own_inertia_[joint].cwiseProduct(w * w * error - 2.0 * w * rate);
-    body_.add_joint_torque(
-        joint, here * torque.cwiseMax(-s.torque_limit).cwiseMin(s.torque_limit));
+    const Vector3 torque = own_inertia_[joint].cwiseProduct(w * w * error - 2.0 * w * rate);
+    body_.add_joint_torque(joint, here * torque.cwiseMax(-s.torque_limit).cwiseMin(s.torque_limit));
     for (int a = 0; a < 3; ++a) {
         dJointSetAMotorParam(body_.motor(joint), dParamFMax + a * dParamGroup, 0.0);
     }

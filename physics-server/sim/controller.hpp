@@ -5,8 +5,8 @@
 // as an angular motor with CFM = 1 / (h kp + kd) and velocity kp e / (h kp + kd) + w_target: exact,
 // and stable at any gain. Gains come from the inertia of what hangs on the joint:
 // kp = I (2 pi f)^2, kd = 2 I 2 pi f (critical damping). To it is added the torque that inverse
-// dynamics forecasts, so that the gain has only errors to mend. A joint beyond its limits is held by
-// a stop that no torque limit weakens.
+// dynamics forecasts, so that the gain has only errors to mend. A joint beyond its limits is held
+// by a stop that no torque limit weakens.
 //
 // The law of the papers (Bouenard, Gibet, Wanderley 2009, equation 1), tau = ks e - kd w applied
 // explicitly, is kept to compare with. Applied so it is stable only for low gains; they are scaled
@@ -71,12 +71,12 @@ class Controller {
     OdeBody& body_;
     ControlOptions options_;
     double h_;
-    std::vector<double> inertia_;        ///< of what hangs on a joint, its largest moment [kg m^2]
-    std::vector<Vector3> own_inertia_;   ///< of the lighter side of a joint, by axis [kg m^2]
+    std::vector<double> inertia_;       ///< of what hangs on a joint, its largest moment [kg m^2]
+    std::vector<Vector3> own_inertia_;  ///< of the lighter side of a joint, by axis [kg m^2]
     std::vector<double> resistance_;
-    std::vector<int> hand_of_grip_;      ///< -1 for a joint that is no grip
+    std::vector<int> hand_of_grip_;  ///< -1 for a joint that is no grip
     body::Acceleration acceleration_;
-    std::vector<Vector3> torques_;       ///< forecast, world frame of the target
+    std::vector<Vector3> torques_;  ///< forecast, world frame of the target
 };
 
 }  // namespace percussionist::sim

@@ -3,10 +3,10 @@
 //
 // A step of ODE is too long for a contact of 5 ms (its peak force would vary by 17 % with the phase
 // of the steps). So while a tip is near, tip, felt and head are moved together at some 48 kHz
-// (core/modal/struck_membrane.hpp), the tip being a mass: the effective mass of body and stick along
-// the head's normal, accelerated by what else moves it. ODE is given the impulse of the whole step.
-// During a contact the tip's place is that of the fine integration, its velocity at the beginning of
-// each step is ODE's.
+// (core/modal/struck_membrane.hpp), the tip being a mass: the effective mass of body and stick
+// along the head's normal, accelerated by what else moves it. ODE is given the impulse of the whole
+// step. During a contact the tip's place is that of the fine integration, its velocity at the
+// beginning of each step is ODE's.
 //
 // Frictionless: the head pushes along its normal only. Frame: the head's own, origin in its middle,
 // z out of it. After construction no allocation but that of `contacts`; one thread; deterministic.
@@ -24,8 +24,8 @@ namespace percussionist::sim {
 struct DrumheadOptions {
     modal::Membrane membrane;
     modal::Decay decay;
-    modal::Mallet tip;        ///< felt of the stick's tip; its mass is the simulation's, not this one
-    std::size_t modes = 64;   ///< enough for the force: those above add no more give than felt has
+    modal::Mallet tip;  ///< felt of the stick's tip; its mass is the simulation's, not this one
+    std::size_t modes = 64;    ///< enough for the force: those above add no more give than felt has
     double fine_rate = 48000;  ///< about which rate contacts are integrated [Hz]
 };
 
@@ -55,15 +55,16 @@ class Drumhead {
     void tune(const modal::Membrane& membrane, const modal::Decay& decay);
 
   private:
-    /// A stroke is told when it is over or has lasted long; a tip still pressed in by then begins no
-    /// other until it has left.
+    /// A stroke is told when it is over or has lasted long; a tip still pressed in by then begins
+    /// no other until it has left.
     enum class Phase { away, touching, told };
     struct Hand {
         Phase phase = Phase::away;
-        ContactEvent event;       ///< of the stroke, while it touches
-        double last_touch = 0.0;  ///< [s]
+        ContactEvent event;         ///< of the stroke, while it touches
+        double last_touch = 0.0;    ///< [s]
         double last_stroke = -1e9;  ///< when the last one that was no re-contact began [s]
-        linear::Vector3 placed = linear::Vector3::Constant(1e9);  ///< for which modes were evaluated
+        linear::Vector3 placed =
+            linear::Vector3::Constant(1e9);  ///< for which modes were evaluated
     };
     void take_up(std::size_t hand, const TouchingTip& tip);
     /// A tip at the beginning of a sample: above the head as it is [m], upwards [m/s].

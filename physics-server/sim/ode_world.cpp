@@ -25,6 +25,8 @@ OdeWorld::OdeWorld() {
     dWorldSetCFM(world_, 1e-10);
 }
 
-OdeWorld::~OdeWorld() { dWorldDestroy(world_); }
+OdeWorld::~OdeWorld() {
+    dWorldDestroy(world_);
+}
 
 }  // namespace percussionist::sim

@@ -27,8 +27,12 @@ class OdeWorld {
     dWorldID world_;
 };
 
-inline Vector3 vector(const dReal* v) { return {v[0], v[1], v[2]}; }
-inline Quaternion quaternion(const dReal* q) { return {q[0], q[1], q[2], q[3]}; }
+inline Vector3 vector(const dReal* v) {
+    return {v[0], v[1], v[2]};
+}
+inline Quaternion quaternion(const dReal* q) {
+    return {q[0], q[1], q[2], q[3]};
+}
 inline Quaternion orientation(dBodyID body) {
     return body == nullptr ? Quaternion::Identity() : quaternion(dBodyGetQuaternion(body));
 }

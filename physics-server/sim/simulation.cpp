@@ -11,7 +11,9 @@ using body::Hand;
 namespace {
 
 constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
-constexpr int index(Hand hand) { return static_cast<int>(hand); }
+constexpr int index(Hand hand) {
+    return static_cast<int>(hand);
+}
 
 /// The hand is this much above the tip when the tip meets the head [m].
 constexpr double kHandAboveTip = 0.035;
@@ -51,13 +53,12 @@ Simulation::Simulation(const SimulationOptions& options)
     // The sticks meet the head side by side, at the same distance from its middle.
     const double apart = 0.5 * options.strikes_apart;
     const double radius = options.strike_radius * options.head.membrane.radius;
-    const double reach_x = 0.5 * (skeleton_.tip_rest(Hand::left).x() +
-                                  skeleton_.tip_rest(Hand::right).x());
+    const double reach_x =
+        0.5 * (skeleton_.tip_rest(Hand::left).x() + skeleton_.tip_rest(Hand::right).x());
     head_centre_ = {reach_x + std::sqrt(std::max(0.0, radius * radius - apart * apart)), 0.0,
                     options.head_height};
     for (const Hand hand : kHands) {
-        places_[index(hand)] = {reach_x, hand == Hand::left ? apart : -apart,
-                                options.head_height};
+        places_[index(hand)] = {reach_x, hand == Hand::left ? apart : -apart, options.head_height};
         last_velocity_[index(hand)].setZero();
     }
 
@@ -69,8 +70,7 @@ Simulation::Simulation(const SimulationOptions& options)
     body_->read(actual_);
 
     const double mass = tip_mass_[0](actual_, Vector3::UnitZ(), bare_);
-    forecast_ = std::make_unique<ImpactForecast>(options.head, h_, mass,
-                                                  places_[0] - head_centre_);
+    forecast_ = std::make_unique<ImpactForecast>(options.head, h_, mass, places_[0] - head_centre_);
 }
 
 Vector3 Simulation::tip(Hand hand) const {

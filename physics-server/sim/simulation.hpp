@@ -1,9 +1,9 @@
-// The percussionist at the drum: what is asked for (strokes), what is simulated (body, sticks, head),
-// what comes out (contacts, poses).
+// The percussionist at the drum: what is asked for (strokes), what is simulated (body, sticks,
+// head), what comes out (contacts, poses).
 //
 // Each step of h: the paths of both tips at t + h -> inverse kinematics -> targets at t + h; the
-// controller drives ODE's bodies by the targets at t - h, t and t + h; where a stick is near the head the contact
-// is sub-integrated at audio rate and its mean force applied; ODE steps to t + h.
+// controller drives ODE's bodies by the targets at t - h, t and t + h; where a stick is near the
+// head the contact is sub-integrated at audio rate and its mean force applied; ODE steps to t + h.
 //
 // One thread. The same calls give the same results, to the last bit. step() takes no memory beyond
 // what ODE keeps for itself. Time is simulated time [s], from 0.
@@ -31,9 +31,9 @@ struct SimulationOptions {
     body::Anthropometry person;
     ControlOptions control;
     DrumheadOptions head;
-    double head_height = 0.92;         ///< of the head above the floor [m]
-    double strike_radius = 0.75;       ///< where the sticks meet the head, share of its radius
-    double strikes_apart = 0.16;       ///< distance between the places of both sticks [m]
+    double head_height = 0.92;    ///< of the head above the floor [m]
+    double strike_radius = 0.75;  ///< where the sticks meet the head, share of its radius
+    double strikes_apart = 0.16;  ///< distance between the places of both sticks [m]
 };
 
 class Simulation {
@@ -87,14 +87,14 @@ class Simulation {
     body::InverseKinematics kinematics_;
     std::array<body::TipMass, 2> tip_mass_;
     std::array<body::StrokePath, 2> paths_;
-    std::array<Vector3, 2> places_;       ///< where each stick meets the head, world [m]
+    std::array<Vector3, 2> places_;  ///< where each stick meets the head, world [m]
     std::array<Vector3, 2> last_velocity_;
     std::array<double, 2> last_impulse_{};
     Vector3 head_centre_;
     Target target_;
     body::Posture solution_;
     body::Placement solved_, actual_;
-    std::vector<double> bare_;            ///< no resistance: the mass of the body alone
+    std::vector<double> bare_;  ///< no resistance: the mass of the body alone
 };
 
 }  // namespace percussionist::sim

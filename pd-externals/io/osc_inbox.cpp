@@ -1,0 +1,169 @@
+#include "io/osc_inbox.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace percussionist::io {
+
+namespace {
+
+constexpr std::size_t kMostSenders = 16;
+constexpr double kLongestLookahead = 10.0;  // [s]
+constexpr double kComplaintsApart = 1.0;    // [s]
+constexpr double kReordering = 0.03;        // first packets may come that much out of order [s]
+constexpr const char* kClock = "/clock";
+constexpr const char* kContact = "/contact";
+
+const OscMessage* find(const OscPacket& packet, const char* address) {
+    for (const auto& bundle : packet.bundles) {
+        for (const auto& message : bundle.messages) {
+            if (message.address == address && bundle.tag == packet.tag) {
+                return &message;
+            }
+        }
+    }
+    return nullptr;
+}
+
+std::optional<double> first_number(const OscMessage& message) {
+    const auto& all = message.arguments;
+    const auto* const number = all.empty() ? nullptr : std::get_if<double>(all.data());
+    return number ? std::optional(*number) : std::nullopt;
+}
+
+/// What /clock tells, if it is the protocol's.
+std::optional<double> told_lookahead(const OscPacket& packet) {
+    const OscMessage* const clock = find(packet, kClock);
+    const auto told = clock ? first_number(*clock) : std::nullopt;
+    return told && *told >= 0.0 && *told <= kLongestLookahead ? told : std::nullopt;
+}
+
+}  // namespace
+
+std::string to_string(const Endpoint& endpoint) {
+    std::string text;
+    for (const unsigned shift : {24U, 16U, 8U, 0U}) {
+        text += std::to_string(endpoint.address >> shift & 0xFFU) + (shift > 0U ? "." : ":");
+    }
+    return text + std::to_string(endpoint.port);
+}
+
+double OscInbox::Sender::due(TimeTag tag) const {
+    return clock.to_y(seconds_between(epoch, tag) - lookahead.value_or(0.0)) +
+           lookahead.value_or(0.0);
+}
+
+void OscInbox::take(std::span<const std::uint8_t> bytes, const Endpoint& from, double arrival) {
+    ++counts_.received;
+    try {
+        OscPacket packet = read_osc(bytes);
+        Sender& who = sender(from, arrival);
+        follow_clock(who, packet, arrival);
+        for (OscBundle& bundle : packet.bundles) {
+            deliver(who, bundle);
+        }
+    } catch (const MalformedOsc& e) {
+        complain(e, from, arrival);
+    }
+}
+
+/// The one known by its address and port, or a new one in place of the one least worth keeping.
+OscInbox::Sender& OscInbox::sender(const Endpoint& from, double arrival) {
+    auto found = std::find_if(senders_.begin(), senders_.end(),
+                              [&](const auto& known) { return known->from == from; });
+    if (found == senders_.end()) {
+        if (senders_.size() == kMostSenders) {
+            const auto worth = [](const auto& known) {
+                return std::pair(known->lookahead.has_value(), known->last_heard);
+            };
+            const auto least =
+                std::min_element(senders_.begin(), senders_.end(),
+                                 [&](const auto& a, const auto& b) { return worth(a) < worth(b); });
+            counts_.lost += static_cast<double>((*least)->contacts.lost());
+            counts_.repeated += static_cast<double>((*least)->contacts.repeated());
+            senders_.erase(least);
+        }
+        auto fresh = std::make_unique<Sender>();
+        fresh->from = from;
+        fresh->first_heard = arrival;
+        senders_.push_back(std::move(fresh));
+        found = std::prev(senders_.end());
+    }
+    (*found)->last_heard = arrival;
+    return **found;
+}
+
+void OscInbox::follow_clock(Sender& sender, const OscPacket& packet, double arrival) const {
+    if (packet.tag == kImmediately) {
+        return;
+    }
+    const auto told = told_lookahead(packet);
+    if (told && told != sender.lookahead) {
+        sender.lookahead = told;
+        sender.clock.restart();
+    }
+    if (!sender.clock.started()) {
+        sender.epoch = packet.tag;
+    }
+    const double sent = seconds_between(sender.epoch, packet.tag) - sender.lookahead.value_or(0.0);
+    if (told || !sender.lookahead) {
+        sender.clock.observe(sent, arrival);
+    } else if (find(packet, kContact)) {
+        sender.clock.observe_if_early(sent, arrival);
+    }
+}
+
+void OscInbox::deliver(Sender& sender, OscBundle& bundle) {
+    auto delivery = std::make_unique<Delivery>();
+    if (bundle.tag != kImmediately && sender.clock.started()) {
+        const double due = sender.due(bundle.tag);
+        delivery->due = due;
+        std::erase_if(bundle.messages, [&](const OscMessage& message) {
+            const auto number = message.address == kContact ? first_number(message) : std::nullopt;
+            return number && (!sender.contacts.is_new(static_cast<std::int64_t>(*number),
+                                                      static_cast<std::int64_t>(bundle.tag)) ||
+                              due < sender.first_heard - kReordering);
+        });
+    }
+    if (!bundle.messages.empty()) {
+        delivery->messages = std::move(bundle.messages);
+        delivery->serial = serial_++;
+        deliver_(std::move(delivery));
+    }
+}
+
+void OscInbox::complain(const MalformedOsc& error, const Endpoint& from, double arrival) {
+    ++counts_.malformed;
+    if (arrival < complained_ + kComplaintsApart) {
+        return;
+    }
+    complained_ = arrival;
+    auto delivery = std::make_unique<Delivery>();
+    delivery->serial = serial_++;
+    delivery->complaint = "malformed packet from " + to_string(from) + ": " + error.what();
+    deliver_(std::move(delivery));
+}
+
+OscInbox::Status OscInbox::status() const {
+    Status status = counts_;
+    status.senders = static_cast<double>(senders_.size());
+    const Sender* main = nullptr;
+    for (const auto& sender : senders_) {
+        status.lost += static_cast<double>(sender->contacts.lost());
+        status.repeated += static_cast<double>(sender->contacts.repeated());
+        const auto worth = [](const Sender& s) {
+            return std::tuple(s.clock.started(), s.lookahead.has_value(), s.last_heard);
+        };
+        main = !main || worth(*main) < worth(*sender) ? sender.get() : main;
+    }
+    if (main && main->clock.started()) {
+        status.offset = main->clock.to_y(0.0) - static_cast<double>(main->epoch) / kTagsPerSecond;
+        status.rate = -main->clock.rate();
+        status.jitter = main->clock.lateness();
+        status.lookahead = main->lookahead.value_or(0.0);
+    }
+    return status;
+}
+
+}  // namespace percussionist::io

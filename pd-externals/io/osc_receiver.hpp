@@ -1,0 +1,95 @@
+// A thread that listens to a UDP port and hands over what is due when (see OscInbox), and that
+// sends to one server.
+//
+// Deliveries come and go by two lock-free queues: next() takes one, give_back() returns it, so that
+// its memory is freed where it was taken. All public functions are for one thread, which they never
+// keep waiting: no lock, no name to be looked up. (Creation and destruction start and end the
+// thread.)
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "io/host_lookup.hpp"
+#include "io/osc_inbox.hpp"
+#include "io/spsc_ring.hpp"
+#include "io/udp_socket.hpp"
+
+namespace percussionist::io {
+
+class OscReceiver {
+  public:
+    static constexpr std::size_t kMostWaiting = 16384;  ///< deliveries
+
+    struct Status : OscInbox::Status {
+        double dropped = 0;  ///< packets or deliveries for which there was no room
+    };
+
+    /// As UdpSocket; throws as that does.
+    OscReceiver(const std::string& address, int port);
+    ~OscReceiver();
+    OscReceiver(const OscReceiver&) = delete;
+    OscReceiver& operator=(const OscReceiver&) = delete;
+
+    int port() const { return socket_.port(); }
+
+    /// Null if there is none.
+    std::unique_ptr<Delivery> next() noexcept;
+    void give_back(std::unique_ptr<Delivery> delivery) noexcept;
+
+    /// A few milliseconds old at most; its offset is that of the wall clocks [s].
+    Status status() const noexcept;
+
+    /// Where to send to.
+    void set_server(const std::string& host, int port);
+    void send(Bytes packet);
+    /// Now and every few seconds, until told otherwise by another, or by an empty one.
+    void send_often(Bytes packet);
+
+  private:
+    struct Command {
+        enum class Kind { kServer, kSend, kOften } kind = Kind::kSend;
+        std::string host;
+        int port = 0;
+        Bytes packet;
+    };
+    static constexpr std::size_t kNumbers = sizeof(Status) / sizeof(double);
+
+    void run();
+    void wait() const;
+    void obey_commands();
+    void obey(Command& command);
+    void send_what_waits(double now);
+    void hand_over(std::unique_ptr<Delivery> delivery);
+    void complain(const std::string& text);
+    void publish_status();
+    void command(Command command);
+    void wake() const noexcept;
+
+    UdpSocket socket_;
+    OscInbox inbox_;
+    int waker_;
+    std::atomic<bool> ending_{false};
+    std::array<std::atomic<double>, kNumbers> status_{};
+    SpscRing<std::unique_ptr<Delivery>> deliveries_{kMostWaiting};
+    SpscRing<std::unique_ptr<Delivery>> returned_{4 * kMostWaiting};
+    SpscRing<Command> commands_{256};
+
+    // The thread's own.
+    double refused_ = 0;
+    std::optional<HostLookup> lookup_;
+    Endpoint server_;
+    std::string server_name_;
+    std::deque<Bytes> to_send_;
+    Bytes often_;
+    double sent_often_ = 0.0;
+
+    std::thread thread_;
+};
+
+}  // namespace percussionist::io

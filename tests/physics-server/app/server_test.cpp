@@ -1,0 +1,157 @@
+#include "app/server.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "support/osc_listener.hpp"
+
+using namespace percussionist;
+using test::OscListener;
+
+namespace {
+
+/// Goes as fast as it is asked to: sleeping is jumping ahead.
+class TestClock : public app::WallClock {
+  public:
+    double now() const override { return now_; }
+    void sleep_until(double time) override {
+        now_ = std::max(now_.load(), time);
+        std::this_thread::yield();
+    }
+    void jump(double seconds) { now_ = now_ + seconds; }
+
+  private:
+    std::atomic<double> now_{1.7e9};
+};
+
+/// A server in a thread of its own, by a clock of its own.
+class RunningServer {
+  public:
+    explicit RunningServer(app::ServeOptions options = {})
+        : server_(with_free_port(std::move(options)), clock_),
+          thread_([this] { server_.run(stop_); }) {}
+    ~RunningServer() {
+        stop_ = true;
+        thread_.join();
+    }
+    int port() const { return server_.port(); }
+
+  private:
+    static app::ServeOptions with_free_port(app::ServeOptions options) {
+        options.endpoint.port = 0;
+        return options;
+    }
+    TestClock clock_;
+    app::Server server_;
+    std::atomic<bool> stop_{false};
+    std::thread thread_;
+};
+
+osc::Packet subscription(const OscListener& listener, const std::string& feed) {
+    return osc::encode_message(
+        "/subscribe", std::vector<osc::Argument>{static_cast<double>(listener.port()), feed});
+}
+
+}  // namespace
+
+TEST_CASE("server: two subscribers hear every contact, poses and status only whom they concern") {
+    RunningServer server;
+    OscListener sound(server.port());
+    OscListener all(server.port());
+    sound.send(subscription(sound, "sound"));
+    all.send(subscription(all, "all"));
+    REQUIRE(sound.hears("/status"));
+    REQUIRE(all.hears("/status"));
+    sound.send("/play");
+    REQUIRE(sound.hears("/finished"));
+    REQUIRE(all.hears("/finished"));
+    CHECK(sound.contacts().size() == 153);
+    CHECK(all.contacts() == sound.contacts());
+    CHECK(sound.count("/pose") == 0);
+    CHECK(all.count("/pose") > 1000);
+}
+
+TEST_CASE("server: answers ping and describe; what it cannot understand it says to the sender") {
+    RunningServer server;
+    OscListener asker(server.port());
+    asker.send("/ping");
+    CHECK(asker.hears("/pong"));
+    asker.send("/describe");
+    CHECK(asker.hears("/description", static_cast<int>(osc::address_table().size())));
+    asker.send("/tempo", {"fast"});
+    CHECK(asker.hears("/error"));
+    asker.send(osc::Packet{'x', 'y', 'z', 0});
+    CHECK(asker.hears("/error", 2));
+}
+
+TEST_CASE("server: a score outside its folder, or none, is refused and the old one plays on") {
+    const auto folder = std::filesystem::temp_directory_path() / "percussionist-scores";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "broken.mid") << "MThd and nothing more";
+    app::ServeOptions options;
+    options.score_folder = folder;
+    RunningServer server(options);
+    OscListener asker(server.port());
+    asker.send(subscription(asker, "sound"));
+    int errors = 0;
+    for (const char* name : {"../../etc/passwd", "nowhere.mid", "broken.mid"}) {
+        asker.send("/score", {name});
+        CHECK(asker.hears("/error", ++errors));
+    }
+    asker.send("/play");
+    CHECK(asker.hears("/contact", 3));
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("server: unsubscribed, one hears no more") {
+    RunningServer server;
+    OscListener asker(server.port());
+    asker.send(subscription(asker, "sound"));
+    REQUIRE(asker.hears("/status", 2));
+    asker.send(osc::encode_message("/unsubscribe",
+                                   std::vector<osc::Argument>{static_cast<double>(asker.port())}));
+    asker.send("/ping");
+    REQUIRE(asker.hears("/pong"));
+    // What was under way has arrived before the answer to a later ping.
+    asker.send("/ping");
+    REQUIRE(asker.hears("/pong", 2));
+    const int before = asker.count("/status");
+    for (int i = 3; i < 60; ++i) {
+        asker.send("/ping");
+        REQUIRE(asker.hears("/pong", i));
+    }
+    CHECK(asker.count("/status") <= before + 1);
+}
+
+TEST_CASE("server: a port that is taken is one clear error") {
+    TestClock clock;
+    app::ServeOptions options;
+    options.endpoint.port = 0;
+    app::Server first(options, clock);
+    options.endpoint.port = first.port();
+    try {
+        app::Server second(options, clock);
+        FAIL("two servers on one port");
+    } catch (const std::runtime_error& error) {
+        CHECK(std::string(error.what()).find(std::to_string(first.port())) != std::string::npos);
+    }
+}
+
+TEST_CASE("server: a missing score is one clear error that names it") {
+    TestClock clock;
+    app::ServeOptions options;
+    options.endpoint.port = 0;
+    options.score = "no-such-file.mid";
+    try {
+        app::Server server(options, clock);
+        FAIL("accepted");
+    } catch (const std::runtime_error& error) {
+        CHECK(std::string(error.what()).find("no-such-file.mid") != std::string::npos);
+    }
+}

@@ -1,0 +1,69 @@
+#include "osc/address_table.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace percussionist::osc;
+
+namespace {
+
+const Peer kSender{"127.0.0.1", "9000"};
+
+std::string refusal(const std::string& path, const std::vector<Argument>& arguments) {
+    const auto said = understand(path, arguments, kSender);
+    const Refusal* r = std::get_if<Refusal>(&said);
+    return r == nullptr ? "" : r->reason;
+}
+
+}  // namespace
+
+TEST_CASE("address table: what it lists is understood with the arguments it names") {
+    for (const Address& address : address_table()) {
+        std::vector<Argument> arguments;
+        for (const Parameter& p : address.parameters) {
+            if (!p.required) break;
+            if (p.text) {
+                arguments.emplace_back(std::string("built-in"));
+            } else {
+                arguments.emplace_back(p.least);
+            }
+        }
+        CAPTURE(address.path);
+        CHECK(refusal(address.path, arguments) == "");
+    }
+}
+
+TEST_CASE("address table: wrong type, range or number of arguments is refused by name") {
+    CHECK(refusal("/tempo", {}).find("FACTOR") != std::string::npos);
+    CHECK(refusal("/tempo", {std::string("fast")}).find("FACTOR") != std::string::npos);
+    CHECK(refusal("/tempo", {0.0}).find("0.1") != std::string::npos);
+    CHECK(refusal("/tempo", {std::nan("")}).find("FACTOR") != std::string::npos);
+    CHECK(refusal("/play", {1.0}) != "");
+    CHECK(refusal("/subscribe", {7771.0, std::string("everything")}).find("FEED") !=
+          std::string::npos);
+    CHECK(refusal("/dance", {}).find("/describe") != std::string::npos);
+}
+
+TEST_CASE("address table: an asker that names no host is sent to where it came from") {
+    const auto said = understand("/subscribe", std::vector<Argument>{7771.0}, kSender);
+    const auto* wish = std::get_if<Subscribe>(&std::get<Command>(said));
+    REQUIRE(wish != nullptr);
+    CHECK(wish->peer == Peer{"127.0.0.1", "7771"});
+    CHECK(wish->feed == Feed::sound);
+}
+
+TEST_CASE("address table: the page on the protocol says what the table says") {
+    std::ifstream in(PROJECT_FOLDER "/docs/osc-protocol.md");
+    std::stringstream page;
+    page << in.rdbuf();
+    for (const Address& address : address_table()) {
+        CAPTURE(usage(address));
+        CHECK(page.str().find(usage(address)) != std::string::npos);
+        CHECK(page.str().find(address.description) != std::string::npos);
+    }
+}
