@@ -24,6 +24,8 @@ constexpr double kLooseBefore = 0.004;
 constexpr double kLooseAfter = 0.010;
 /// Iterations with which inverse kinematics finds the first posture.
 constexpr int kSettling = 60;
+/// In which time targets go over from one motion to another [s].
+constexpr double kFade = 0.5;
 
 double checked_rate(double rate) {
     if (!(rate >= 250.0 && rate <= 4000.0)) {
@@ -45,8 +47,12 @@ Simulation::Simulation(const SimulationOptions& options)
       solution_(skeleton_),
       solved_(skeleton_),
       actual_(skeleton_),
+      state_(skeleton_),
+      wanted_(skeleton_),
+      faded_from_(skeleton_),
       bare_(skeleton_.segments.size(), 0.0) {
-    body_ = std::make_unique<OdeBody>(skeleton_, world_);
+    const double mass_factor = 1.0 + options.mass_error;
+    body_ = std::make_unique<OdeBody>(skeleton_, world_, mass_factor);
     controller_ = std::make_unique<Controller>(*body_, options.control, h_);
     head_ = std::make_unique<Drumhead>(options.head, h_);
 
@@ -62,8 +68,7 @@ Simulation::Simulation(const SimulationOptions& options)
         last_velocity_[index(hand)].setZero();
     }
 
-    const body::ArmTargets targets{arm_target(Hand::left, 0.0), arm_target(Hand::right, 0.0)};
-    for (int i = 0; i < kSettling; ++i) kinematics_.solve(targets, solution_, solved_);
+    settle(0.0);
     target_.before = target_.now = target_.after = solution_;
     target_.placed_before = target_.placed_now = target_.placed_after = solved_;
     body_->place(solved_);
@@ -99,11 +104,101 @@ body::ArmTarget Simulation::arm_target(Hand hand, double t) const {
     return target;
 }
 
+body::ArmTargets Simulation::arm_targets(double t) const {
+    if (clip_) return clip_->targets(t - clip_start_);
+    return {arm_target(Hand::left, t), arm_target(Hand::right, t)};
+}
+
+void Simulation::settle(double t) {
+    asked_ = asked_next_ = arm_targets(t);
+    for (int i = 0; i < kSettling; ++i) kinematics_.solve(asked_, solution_, solved_);
+}
+
 void Simulation::fill_target(double t) {
-    const body::ArmTargets targets{arm_target(Hand::left, t), arm_target(Hand::right, t)};
-    kinematics_.solve(targets, solution_, solved_);
-    target_.after = solution_;
-    target_.placed_after = solved_;
+    asked_ = asked_next_;
+    if (clip_ && tracking_ == body::Tracking::joints) {
+        clip_->posture(t - clip_start_, target_.after, target_.placed_after);
+    } else {
+        asked_next_ = arm_targets(t);
+        kinematics_.solve(asked_next_, solution_, solved_);
+        target_.after = solution_;
+        target_.placed_after = solved_;
+    }
+    fade(t);
+}
+
+void Simulation::begin_fade() {
+    faded_from_ = target_.after;
+    fade_start_ = time();
+}
+
+void Simulation::fade(double t) {
+    const double s = (t - fade_start_) / kFade;
+    if (s >= 1.0) return;
+    const double share = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+    for (std::size_t i = 0; i < target_.after.joints.size(); ++i) {
+        target_.after.joints[i] = faded_from_.joints[i].slerp(share, target_.after.joints[i]);
+    }
+    body::forward_kinematics(skeleton_, target_.after, target_.placed_after);
+}
+
+void Simulation::follow(std::shared_ptr<const body::Clip> clip) {
+    begin_fade();
+    kinematics_.set_rest(clip->mean());
+    solution_ = clip->mean();
+    clip_ = std::make_unique<body::ClipFollower>(std::move(clip), skeleton_);
+    clip_start_ = time();
+    settle(time());
+}
+
+void Simulation::begin_with(std::shared_ptr<const body::Clip> clip) {
+    follow(std::move(clip));
+    fade_start_ = -1e9;
+    const double now = time();
+    for (const double t : {now - h_, now, now + h_}) {
+        fill_target(t);
+        if (t <= now) target_.advance();
+    }
+    body_->place(target_.placed_now);
+    body_->set_velocities(target_.placed_before, target_.placed_after, 2.0 * h_);
+    asked_next_ = arm_targets(now);
+    body_->read(actual_);
+}
+
+void Simulation::follow_strokes() {
+    begin_fade();
+    clip_.reset();
+    const body::Posture rest(skeleton_);
+    kinematics_.set_rest(rest);
+    solution_ = rest;
+    settle(time());
+}
+
+void Simulation::set_tracking(body::Tracking tracking) {
+    if (tracking == tracking_) return;
+    begin_fade();
+    tracking_ = tracking;
+    settle(time());
+}
+
+void Simulation::set_inverse(body::Inverse inverse) {
+    begin_fade();
+    kinematics_.set_inverse(inverse);
+}
+
+void Simulation::set_limits(int segment, const body::JointLimits& limits) {
+    skeleton_.segments.at(segment).limits = limits;
+}
+
+void Simulation::correct_by_tips() {
+    for (int i = 0; i < skeleton_.size(); ++i) {
+        const int parent = skeleton_.segments[i].parent;
+        state_.joints[i] = parent < 0 ? actual_.orientation[i]
+                                      : actual_.orientation[parent].conjugate() *
+                                            actual_.orientation[i];
+    }
+    wanted_ = target_.now;
+    kinematics_.correct(asked_, cartesian_gain_, wanted_, state_, actual_, target_.now);
 }
 
 void Simulation::mark_contacts() {
@@ -140,18 +235,23 @@ TouchingTip Simulation::touching_tip(Hand hand) {
 void Simulation::step(std::vector<ContactEvent>& contacts) {
     fill_target(time() + h_);
     mark_contacts();
+    const bool by_tips = !clip_ || tracking_ == body::Tracking::tips;
+    if (controller_->options().law == Law::paper && by_tips) correct_by_tips();
     controller_->apply(target_);
+    if (options_.head_there) strike_head(contacts);
+    world_.step(h_);
+    ++steps_;
+    body_->read(actual_);
+    target_.advance();
+}
 
+void Simulation::strike_head(std::vector<ContactEvent>& contacts) {
     const std::array<TouchingTip, 2> tips{touching_tip(Hand::left), touching_tip(Hand::right)};
     last_impulse_ = head_->step(time(), tips, contacts);
     for (const Hand hand : kHands) {
         const double impulse = last_impulse_[index(hand)];
         if (impulse != 0.0) body_->add_tip_force(hand, {0.0, 0.0, impulse / h_});
     }
-    world_.step(h_);
-    ++steps_;
-    body_->read(actual_);
-    target_.advance();
 }
 
 }  // namespace percussionist::sim
