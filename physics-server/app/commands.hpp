@@ -13,6 +13,8 @@ void add_serve_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 /// check: how well a recording agrees with the contacts of its performance.
 void add_check_command(CLI::App& program);
+/// track: how well the body follows a captured motion.
+void add_track_command(CLI::App& program);
 /// bench: how fast the simulation is.
 void add_bench_command(CLI::App& program);
 

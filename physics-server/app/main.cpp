@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
         add_serve_command(program);
         add_render_command(program);
         add_check_command(program);
+        add_track_command(program);
         add_bench_command(program);
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

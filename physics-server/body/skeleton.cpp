@@ -43,7 +43,10 @@ constexpr double kUpperTrunkLength = 0.0980, kHeadLength = 0.1168;
 constexpr double kLumbarHeight = 0.600, kThoracicHeight = 0.691, kNeckHeight = 0.846;
 
 JointLimits limits(double z0, double z1, double y0, double y1, double x0, double x1) {
-    return {kDegree * Vector3(z0, y0, x0), kDegree * Vector3(z1, y1, x1)};
+    JointLimits l;
+    l.lower_zyx = kDegree * Vector3(z0, y0, x0);
+    l.upper_zyx = kDegree * Vector3(z1, y1, x1);
+    return l;
 }
 
 Vector3 moments(const Share& share, double mass, double length, const Vector3& along) {

@@ -17,21 +17,11 @@
 #include <string>
 #include <vector>
 
-#include "core/linear/rotation.hpp"
+#include "body/joint_limits.hpp"
 
 namespace percussionist::body {
 
-using linear::Matrix3;
-using linear::Quaternion;
-using linear::Vector3;
-
 enum class Hand { left = 0, right = 1 };
-
-/// Euler angles z y x [rad] of a joint, measured from the rest posture.
-struct JointLimits {
-    Vector3 lower_zyx = Vector3::Constant(-3.0);
-    Vector3 upper_zyx = Vector3::Constant(3.0);
-};
 
 struct Segment {
     std::string name;

@@ -151,8 +151,10 @@ void Simulation::follow(std::shared_ptr<const body::Clip> clip) {
     settle(time());
 }
 
-void Simulation::begin_with(std::shared_ptr<const body::Clip> clip) {
+void Simulation::begin_with(std::shared_ptr<const body::Clip> clip, double start) {
     follow(std::move(clip));
+    clip_start_ = time() - start;
+    settle(time());
     fade_start_ = -1e9;
     const double now = time();
     for (const double t : {now - h_, now, now + h_}) {

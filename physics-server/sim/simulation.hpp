@@ -65,8 +65,8 @@ class Simulation {
 
     /// Follows a clip (of this body's skeleton), from its beginning on.
     void follow(std::shared_ptr<const body::Clip> clip);
-    /// The same, with the body put where the clip begins, moving as it does.
-    void begin_with(std::shared_ptr<const body::Clip> clip);
+    /// The same, with the body put where the clip is at `start` [s], moving as it does.
+    void begin_with(std::shared_ptr<const body::Clip> clip, double start = 0.0);
     /// Follows the strokes asked for again.
     void follow_strokes();
     /// Null while it follows strokes.
@@ -84,7 +84,11 @@ class Simulation {
 
     [[nodiscard]] const body::Skeleton& skeleton() const { return skeleton_; }
     /// What the controller was asked for in the last step, at time().
-    [[nodiscard]] const body::Posture& posture_target() const { return target_.now; }
+    [[nodiscard]] const body::Posture& posture_asked() const { return target_.now; }
+    /// The middle of a tip in it, world [m].
+    [[nodiscard]] Vector3 tip_asked(body::Hand hand) const {
+        return target_.placed_now.tip(skeleton_, hand);
+    }
     /// Where the segments are; true to the last step.
     [[nodiscard]] const body::Placement& placement() const { return actual_; }
     /// The middle of a tip against the point of the head it strikes, world axes: z 0 at the touch.
