@@ -10,6 +10,10 @@ namespace percussionist::body {
 namespace {
 
 constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
+/// Of a tip in one iteration [m].
+constexpr double kLongestStep = 0.10;
+/// A learnt step need not come nearer than this [m].
+constexpr double kGoodEnough = 0.0005;
 
 /// How readily each axis of a joint turns, out of what percussionists do: the wrist and the fingers
 /// bend before the elbow, the forearm twists little, the trunk hardly moves.
@@ -24,7 +28,7 @@ Vector3 readiness(const Segment& s) {
 }  // namespace
 
 InverseKinematics::InverseKinematics(const Skeleton& skeleton, InverseKinematicsOptions options)
-    : skeleton_(skeleton), options_(options), rest_(skeleton) {
+    : skeleton_(skeleton), options_(options), rest_(skeleton), before_(skeleton) {
     for (const Hand hand : kHands) stick_[static_cast<int>(hand)] = skeleton.stick_index(hand);
     for (int i = 1; i < skeleton.size(); ++i) {
         if (skeleton.segments[i].reach <= 0.0) continue;
@@ -95,6 +99,11 @@ InverseKinematics::Tasks InverseKinematics::errors(const ArmTargets& targets,
         error.segment<3>(4 * h) = targets[h].tip - placement.tip(skeleton_, hand);
         error[4 * h + 3] = options_.grip_weight *
                            (targets[h].grip_height - grip(placement, hand).z());
+    }
+    // A Jacobian tells nothing of what is far: distant targets are approached in steps.
+    for (int h = 0; h < 2; ++h) {
+        const double length = error.segment<4>(4 * h).norm();
+        if (length > kLongestStep) error.segment<4>(4 * h) *= kLongestStep / length;
     }
     return error;
 }
@@ -172,7 +181,9 @@ void InverseKinematics::turn(Posture& posture) const {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         const Column& c = columns_[k];
         const auto first = static_cast<Eigen::Index>(3 * k);
-        const Vector3 by = step_.segment<3>(first) + pull_.segment<3>(first);
+        Vector3 by = step_.segment<3>(first) + pull_.segment<3>(first);
+        const double angle = by.norm();
+        if (angle > options_.largest_turn) by *= options_.largest_turn / angle;
         Quaternion& joint = posture.joints[c.segment];
         joint = (joint * linear::quaternion_exp(by)).normalized();
         joint = clamp(joint, skeleton_.segments[c.segment].limits);
@@ -183,8 +194,24 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture,
                                 Placement& placement) {
     fill_jacobian(placement);
     fill_pull(posture, rest_, options_.rest_pull, false);
-    step(errors(targets, placement), placement);
-    turn(posture);
+    const Tasks error = errors(targets, placement);
+    step(error, placement);
+    if (options_.inverse != Inverse::learnt) {
+        turn(posture);
+        forward_kinematics(skeleton_, posture, placement);
+        return;
+    }
+    // What was learnt may be wrong here: a step that leads away is tried again, smaller.
+    constexpr int kTries = 3;
+    constexpr double kSmaller = 0.3;
+    before_ = posture;
+    for (int i = 0; i < kTries; ++i) {
+        turn(posture);
+        forward_kinematics(skeleton_, posture, placement);
+        if (errors(targets, placement).norm() <= std::max(error.norm(), kGoodEnough)) return;
+        posture = before_;
+        step_ *= kSmaller;
+    }
     forward_kinematics(skeleton_, posture, placement);
 }
 

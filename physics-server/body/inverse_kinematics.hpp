@@ -39,6 +39,7 @@ struct InverseKinematicsOptions {
     double damping = 0.002;      ///< lambda, of the tip tasks [m]
     double grip_weight = 0.3;    ///< of the grip's height against the tip's place
     double rest_pull = 0.002;    ///< share of the way to rest, each iteration
+    double largest_turn = 0.3;   ///< of a joint in one iteration [rad]
 };
 
 class InverseKinematics {
@@ -64,6 +65,9 @@ class InverseKinematics {
     /// The posture to be pulled to; the joints it does not turn are to be there.
     void set_rest(const Posture& rest);
     [[nodiscard]] const Posture& rest() const { return rest_; }
+    /// See the options; a larger damping passes postures in which an arm is stretched more calmly.
+    void set_damping(double damping) { options_.damping = damping; }
+    void set_largest_turn(double angle) { options_.largest_turn = angle; }
     /// How readily the joint of a segment turns about its own axes, 0..1.
     void set_readiness(int segment, const Vector3& weight);
 
@@ -96,7 +100,7 @@ class InverseKinematics {
     InverseKinematicsOptions options_;
     std::vector<Column> columns_;
     std::array<int, 2> stick_;
-    Posture rest_;
+    Posture rest_, before_;
     Jacobian jacobian_;
     Eigen::VectorXd pull_, step_;
     std::unique_ptr<LearntInverse> learnt_;

@@ -13,7 +13,6 @@ constexpr double kSpread = 0.5;      ///< of the postures about rest, of a joint
 constexpr double kBabble = 0.02;     ///< [rad]
 constexpr double kRidge = 2e-6;      ///< against directions in which nothing moved [m^2]
 constexpr double kNear = 0.12;       ///< width of the kernel [m]
-constexpr double kLongestStep = 0.1;  ///< of a tip in one iteration [m]
 /// A map that is not quite right is trusted with so much of the way.
 constexpr double kTrust = 0.8;
 
@@ -83,9 +82,7 @@ void LearntInverse::step(const InverseKinematics::Tasks& at,
                          const InverseKinematics::Tasks& wanted, Eigen::VectorXd& turns) const {
     turns.setZero();
     for (int h = 0; h < 2; ++h) {
-        Eigen::Vector4d x = wanted.segment<4>(4 * h);
-        const double length = x.norm();
-        x *= kTrust * (length > kLongestStep ? kLongestStep / length : 1.0);
+        const Eigen::Vector4d x = kTrust * wanted.segment<4>(4 * h);
         const auto nearness = [&](const Lesson& lesson, double least) {
             const double distance2 = (lesson.at - at.segment<4>(4 * h)).squaredNorm();
             return std::exp((least - distance2) / (2.0 * kNear * kNear));

@@ -14,6 +14,10 @@ using linear::quaternion_log;
 
 namespace {
 
+/// Most that the papers' law may have, in units of the lighter side's inertia by the step (squared):
+/// an explicit spring is stable below 4, an explicit damper below 2, and joints are coupled.
+constexpr double kMostStiffness = 0.5;
+constexpr double kMostDamping = 0.5;
 /// Beyond its limits a joint is pushed back at this frequency [Hz].
 constexpr double kStopFrequency = 40.0;
 
@@ -191,7 +195,12 @@ void Controller::apply_paper(int joint, const Target& target) {
     const Vector3 rate = here.conjugate() * (angular_velocity(body_.segment(joint)) -
                                              angular_velocity(body_.parent(joint)));
     const double w = 2.0 * std::numbers::pi * options_.paper_frequency;
-    const Vector3 torque = own_inertia_[joint].cwiseProduct(w * w * error - 2.0 * w * rate);
+    // As stiff as asked for, as far as the lighter side of the joint stands it in a step.
+    const Vector3 most_ks = kMostStiffness / (h_ * h_) * own_inertia_[joint];
+    const Vector3 most_kd = kMostDamping / h_ * own_inertia_[joint];
+    const Vector3 ks = most_ks.cwiseMin(Vector3::Constant(inertia_[joint] * w * w));
+    const Vector3 kd = most_kd.cwiseMin(Vector3::Constant(2.0 * inertia_[joint] * w));
+    const Vector3 torque = ks.cwiseProduct(error) - kd.cwiseProduct(rate);
     add_torque(joint, here * torque);
     for (int a = 0; a < 3; ++a) {
         dJointSetAMotorParam(body_.motor(joint), dParamFMax + a * dParamGroup, 0.0);

@@ -24,6 +24,10 @@ constexpr double kLooseBefore = 0.004;
 constexpr double kLooseAfter = 0.010;
 /// Iterations with which inverse kinematics finds the first posture.
 constexpr int kSettling = 60;
+/// No joint is asked to turn faster by a clip, in each iteration [rad/s].
+constexpr double kFastestTurn = 20.0;
+/// Of inverse kinematics when it follows a clip, whose arms may be stretched [m].
+constexpr double kClipDamping = 0.02;
 /// In which time targets go over from one motion to another [s].
 constexpr double kFade = 0.5;
 
@@ -111,7 +115,9 @@ body::ArmTargets Simulation::arm_targets(double t) const {
 
 void Simulation::settle(double t) {
     asked_ = asked_next_ = arm_targets(t);
+    kinematics_.set_largest_turn(body::InverseKinematicsOptions().largest_turn);
     for (int i = 0; i < kSettling; ++i) kinematics_.solve(asked_, solution_, solved_);
+    if (clip_) kinematics_.set_largest_turn(kFastestTurn * h_);
 }
 
 void Simulation::fill_target(double t) {
@@ -145,6 +151,7 @@ void Simulation::fade(double t) {
 void Simulation::follow(std::shared_ptr<const body::Clip> clip) {
     begin_fade();
     kinematics_.set_rest(clip->mean());
+    kinematics_.set_damping(kClipDamping);
     solution_ = clip->mean();
     clip_ = std::make_unique<body::ClipFollower>(std::move(clip), skeleton_);
     clip_start_ = time();
@@ -172,6 +179,7 @@ void Simulation::follow_strokes() {
     clip_.reset();
     const body::Posture rest(skeleton_);
     kinematics_.set_rest(rest);
+    kinematics_.set_damping(body::InverseKinematicsOptions().damping);
     solution_ = rest;
     settle(time());
 }
