@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "app/fit_axes.hpp"
 #include "files/plot.hpp"
 
 namespace percussionist::app {
@@ -78,13 +79,10 @@ std::string series_csv(const TrackRun& run) {
 
 using Value = std::function<double(const TrackSample&)>;
 
-files::PlotLine line(const std::string& name, const std::string& colour, const TrackRun& run,
-                     const Value& x, const Value& y, double width) {
-    files::PlotLine out{name, {}, {}, colour, width};
-    for (const TrackSample& s : run.samples) {
-        out.x.push_back(x(s));
-        out.y.push_back(y(s));
-    }
+files::Series line(const std::string& name, const std::string& colour, const TrackRun& run,
+                   const Value& x, const Value& y) {
+    files::Series out{name, files::Series::Kind::line, colour, {}};
+    for (const TrackSample& s : run.samples) out.points.emplace_back(x(s), y(s));
     return out;
 }
 
@@ -93,63 +91,68 @@ double time_of(const TrackSample& s) {
 }
 
 /// One chart for a law and a side: what was captured in black, every control in its colour.
-files::Plot chart(const std::string& what, const std::string& unit, sim::Law law, int side,
+files::Chart chart(const std::string& what, const std::string& unit, sim::Law law, int side,
                   const std::vector<TrackRun>& runs, const Value& captured, const Value& of_body) {
-    files::Plot plot{fmt::format("{}, {}, {} law", what, kSides[side], law_name(law)), "time [s]",
-                     unit, {}, false};
+    files::Chart plot;
+    plot.title = fmt::format("{}, {}, {} law", what, kSides[side], law_name(law));
+    plot.x.title = "time [s]";
+    plot.y.title = unit;
     std::size_t colour = 0;
     bool first = true;
     for (const TrackRun& run : runs) {
         if (run.control.law != law) continue;
         if (first && captured) {
-            plot.lines.push_back(line("captured", "black", run, time_of, captured, 2.5));
+            plot.series.push_back(line("captured", "black", run, time_of, captured));
             first = false;
         }
-        plot.lines.push_back(line(run.control.name, kColours[colour++ % std::size(kColours)], run,
-                                  time_of, of_body, 1.2));
+        plot.series.push_back(line(run.control.name, kColours[colour++ % std::size(kColours)], run,
+                                  time_of, of_body));
     }
+    fit_axes(plot);
     return plot;
 }
 
 /// Charts for each law and side that there is.
-std::vector<files::Plot> charts(const std::string& what, const std::string& unit,
+std::vector<files::Chart> charts(const std::string& what, const std::string& unit,
                                 const std::vector<TrackRun>& runs,
                                 const std::function<Value(int)>& captured,
                                 const std::function<Value(int)>& of_body) {
-    std::vector<files::Plot> all;
+    std::vector<files::Chart> all;
     for (const sim::Law law : {sim::Law::paper, sim::Law::implicit}) {
         for (int side = 0; side < 2; ++side) {
-            files::Plot plot =
+            files::Chart plot =
                 chart(what, unit, law, side, runs, captured ? captured(side) : Value(),
                       of_body(side));
-            if (!plot.lines.empty()) all.push_back(std::move(plot));
+            if (!plot.series.empty()) all.push_back(std::move(plot));
         }
     }
     return all;
 }
 
 /// From the side: the paths of the tips as the body's left sees them.
-std::vector<files::Plot> side_views(const std::vector<TrackRun>& runs) {
-    std::vector<files::Plot> all;
+std::vector<files::Chart> side_views(const std::vector<TrackRun>& runs) {
+    std::vector<files::Chart> all;
     for (const sim::Law law : {sim::Law::paper, sim::Law::implicit}) {
         for (int side = 0; side < 2; ++side) {
             const Value x = [side](const TrackSample& s) { return s.arms[side].tip.x(); };
             const Value z = [side](const TrackSample& s) { return s.arms[side].tip.z(); };
             const Value x0 = [side](const TrackSample& s) { return s.arms[side].tip_captured.x(); };
             const Value z0 = [side](const TrackSample& s) { return s.arms[side].tip_captured.z(); };
-            files::Plot plot{
-                fmt::format("tip from the side, {}, {} law", kSides[side], law_name(law)),
-                "forwards [m]", "height [m]", {}, true};
+            files::Chart plot;
+            plot.title = fmt::format("tip from the side, {}, {} law", kSides[side], law_name(law));
+            plot.x.title = "forwards [m]";
+            plot.y.title = "height [m]";
             std::size_t colour = 0;
             for (const TrackRun& run : runs) {
                 if (run.control.law != law) continue;
-                if (plot.lines.empty()) {
-                    plot.lines.push_back(line("captured", "black", run, x0, z0, 2.5));
+                if (plot.series.empty()) {
+                    plot.series.push_back(line("captured", "black", run, x0, z0));
                 }
-                plot.lines.push_back(line(run.control.name,
-                                          kColours[colour++ % std::size(kColours)], run, x, z, 1.0));
+                plot.series.push_back(line(run.control.name,
+                                          kColours[colour++ % std::size(kColours)], run, x, z));
             }
-            if (!plot.lines.empty()) all.push_back(std::move(plot));
+            fit_axes(plot);
+            if (!plot.series.empty()) all.push_back(std::move(plot));
         }
     }
     return all;
@@ -176,27 +179,27 @@ void write_pictures(const fs::path& folder, const std::vector<TrackRun>& runs) {
             return kMillimetres * (s.arms[side].tip - s.arms[side].tip_captured).norm();
         };
     };
-    files::write_plot(folder / "elbow-asked.svg", charts("elbow flexion asked for", "flexion [deg]",
+    files::write_svg(folder / "elbow-asked.svg", charts("elbow flexion asked for", "flexion [deg]",
                                                          runs, elbow_captured, elbow_asked));
-    files::write_plot(folder / "elbow.svg", charts("elbow flexion of the body", "flexion [deg]",
+    files::write_svg(folder / "elbow.svg", charts("elbow flexion of the body", "flexion [deg]",
                                                    runs, elbow_captured, elbow));
-    files::write_plot(folder / "tip-height.svg",
+    files::write_svg(folder / "tip-height.svg",
                       charts("height of the tip", "height [m]", runs, height_captured, height));
-    files::write_plot(folder / "tip-path.svg", side_views(runs), 900, 500);
-    files::write_plot(folder / "tip-error.svg",
+    files::write_svg(folder / "tip-path.svg", side_views(runs));
+    files::write_svg(folder / "tip-error.svg",
                       charts("error of the tip", "error [mm]", runs, nullptr, error));
-    std::vector<files::Plot> torques;
+    std::vector<files::Chart> torques;
     for (int joint = 0; joint < 4; ++joint) {
         const auto torque = [joint](int side) -> Value {
             return [side, joint](const TrackSample& s) { return s.arms[side].torque[joint]; };
         };
-        for (files::Plot& plot :
+        for (files::Chart& plot :
              charts(fmt::format("torque of the {}", kJoints[joint]), "torque [N m]", runs, nullptr,
                     torque)) {
             torques.push_back(std::move(plot));
         }
     }
-    files::write_plot(folder / "torques.svg", torques);
+    files::write_svg(folder / "torques.svg", torques);
 }
 
 }  // namespace

@@ -1,32 +1,45 @@
-// Charts as SVG pictures: lines and points over an axis, several charts one below the other.
+// Charts as SVG text: axes, straight or logarithmic, lines, points and stems.
 //
-// Plain text out; no library. The axes choose round numbers. Values that are not finite are gaps.
+//     Chart chart{.title = "Decays", .x = {"Hz", 50, 5000, true}, .y = {"s", 0, 2}};
+//     chart.series.push_back({.name = "found", .kind = Series::Kind::points, .points =
+//     {{100, 1.5}}}); write_svg("decays.svg", {chart});
+//
+// The same charts give the same bytes. What lies outside an axis, or is no number, is left out.
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace percussionist::files {
 
-struct PlotLine {
-    std::string name;           ///< in the legend; empty: not in it
-    std::vector<double> x, y;
-    std::string colour = "black";  ///< as SVG knows it
-    double width = 1.5;            ///< of the line; 0: points alone
+struct Axis {
+    std::string title;
+    double low = 0.0;
+    double high = 1.0;
+    bool logarithmic = false;
 };
 
-struct Plot {
-    std::string title, x_label, y_label;
-    std::vector<PlotLine> lines;
-    bool same_scale = false;  ///< x and y drawn in the same scale
+struct Series {
+    enum class Kind { line, points, stems };
+    std::string name;
+    Kind kind = Kind::line;
+    std::string colour = "#305070";
+    std::vector<std::pair<double, double>> points;
 };
 
-/// The plots below each other, each `width` by `height` pixels.
-std::string plot_svg(const std::vector<Plot>& plots, int width = 900, int height = 300);
+struct Chart {
+    std::string title;
+    Axis x, y;
+    std::vector<Series> series;
+};
 
-/// Throws std::runtime_error naming the file that cannot be written.
-void write_plot(const std::filesystem::path& path, const std::vector<Plot>& plots,
-                int width = 900, int height = 300);
+/// The charts below each other.
+std::string svg(std::span<const Chart> charts);
+
+/// Throws std::runtime_error naming the file.
+void write_svg(const std::filesystem::path& path, std::span<const Chart> charts);
 
 }  // namespace percussionist::files

@@ -93,7 +93,15 @@ Vector3 Simulation::tip_target(Hand hand) const {
 }
 
 bool Simulation::strike(Hand hand, double time, double speed, double height) {
-    return own_path(hand).aim(frontier(), {time, speed, height, forecast_->rebound(speed)});
+    return own_path(hand).aim(frontier(), {time, speed, height, forecast_->rebound(speed), {}});
+}
+
+bool Simulation::strike(Hand hand, double time, const body::StrokeShape& shape) {
+    body::Aim aim;
+    aim.time = time;
+    aim.rebound = forecast_->rebound(shape.impact);
+    aim.shape = shape;
+    return own_path(hand).aim(frontier(), aim);
 }
 
 body::ArmTarget Simulation::arm_target(Hand hand, double t) const {

@@ -55,6 +55,8 @@ class Simulation {
 
     /// Asks for a stroke; see body::StrokePath::aim. The rebound is forecast here.
     bool strike(body::Hand hand, double time, double speed, double height);
+    /// The same, in the shape of a gesture.
+    bool strike(body::Hand hand, double time, const body::StrokeShape& shape);
     void rest(body::Hand hand) { own_path(hand).rest(frontier()); }
     [[nodiscard]] const body::StrokePath& path(body::Hand hand) const {
         return paths_[static_cast<int>(hand)];
