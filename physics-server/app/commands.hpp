@@ -15,6 +15,10 @@ void add_render_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 /// track: how well the body follows a captured motion.
 void add_track_command(CLI::App& program);
+/// gestures: the gestures that the body knows; more of them out of recordings.
+void add_gestures_command(CLI::App& program);
+/// limits: joint limits out of a captured motion.
+void add_limits_command(CLI::App& program);
 /// bench: how fast the simulation is.
 void add_bench_command(CLI::App& program);
 

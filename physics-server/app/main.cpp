@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
         add_render_command(program);
         add_check_command(program);
         add_track_command(program);
+        add_gestures_command(program);
+        add_limits_command(program);
         add_bench_command(program);
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -225,7 +225,11 @@ void StrokePath::raise_as(Pen& pen, const Aim& aim) {
 }
 
 void StrokePath::rebound_as(Pen& pen, const StrokeShape& s) {
-    const double time = time_with_peak(pen.tip, {s.rebound, 0.0, 0.0}, s.peak_up);
+    // Thrown up faster than the gesture goes, the stick is slowed down to its height at once.
+    const double thrown = pen.tip.velocity;
+    const double time = thrown >= s.peak_up
+                            ? s.rebound / (kShare * thrown)
+                            : time_with_peak(pen.tip, {s.rebound, 0.0, 0.0}, s.peak_up);
     draw_rest(pen, pen.time + time, s.rebound);
 }
 

@@ -28,6 +28,8 @@ constexpr int kSettling = 60;
 constexpr double kFastestTurn = 20.0;
 /// Of inverse kinematics when it follows a clip, whose arms may be stretched [m].
 constexpr double kClipDamping = 0.02;
+/// How far a forearm is turned for thumbs up [rad].
+constexpr double kThumbsUp = 1.2;
 /// In which time targets go over from one motion to another [s].
 constexpr double kFade = 0.5;
 
@@ -53,6 +55,7 @@ Simulation::Simulation(const SimulationOptions& options)
       actual_(skeleton_),
       state_(skeleton_),
       wanted_(skeleton_),
+      strokes_rest_(skeleton_),
       faded_from_(skeleton_),
       bare_(skeleton_.segments.size(), 0.0) {
     const double mass_factor = 1.0 + options.mass_error;
@@ -185,10 +188,9 @@ void Simulation::begin_with(std::shared_ptr<const body::Clip> clip, double start
 void Simulation::follow_strokes() {
     begin_fade();
     clip_.reset();
-    const body::Posture rest(skeleton_);
-    kinematics_.set_rest(rest);
+    kinematics_.set_rest(strokes_rest_);
     kinematics_.set_damping(body::InverseKinematicsOptions().damping);
-    solution_ = rest;
+    solution_ = strokes_rest_;
     settle(time());
 }
 
@@ -202,6 +204,27 @@ void Simulation::set_tracking(body::Tracking tracking) {
 void Simulation::set_inverse(body::Inverse inverse) {
     begin_fade();
     kinematics_.set_inverse(inverse);
+}
+
+void Simulation::set_grip(body::Grip grip) {
+    const bool french = grip == body::Grip::french;
+    body::Posture rest(skeleton_);
+    for (const Hand hand : kHands) {
+        const std::string side = body::Skeleton::side(hand);
+        const double inwards = hand == Hand::left ? -1.0 : 1.0;
+        if (french) {
+            rest.joints[skeleton_.index(side + "forearm")] =
+                linear::quaternion_exp(inwards * kThumbsUp * Vector3::UnitX());
+        }
+        // With thumbs up the stick swings about the axis across the palm.
+        kinematics_.set_readiness(skeleton_.index(side + "hand"),
+                                  french ? Vector3(0.0, 0.4, 1.0) : Vector3(0.0, 1.0, 0.4));
+        kinematics_.set_readiness(skeleton_.stick_index(hand),
+                                  french ? Vector3(0.0, 0.2, 1.0) : Vector3(0.0, 1.0, 0.2));
+    }
+    begin_fade();
+    kinematics_.set_rest(rest);
+    strokes_rest_ = rest;
 }
 
 void Simulation::set_limits(int segment, const body::JointLimits& limits) {

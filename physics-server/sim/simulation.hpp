@@ -76,6 +76,8 @@ class Simulation {
     /// Of a clip: joints or tips. Strokes are followed by their tips.
     void set_tracking(body::Tracking tracking);
     void set_inverse(body::Inverse inverse);
+    /// How the sticks are held: palms down (german) or thumbs up (french). Strokes alone.
+    void set_grip(body::Grip grip);
     /// Gains, and the law: see Controller.
     Controller& controller() { return *controller_; }
     [[nodiscard]] const Controller& controller() const { return *controller_; }
@@ -142,6 +144,7 @@ class Simulation {
     body::ArmTargets asked_, asked_next_;  ///< of the tips at time() and a step later
     body::Posture state_;                 ///< of the simulated body
     body::Posture wanted_;                ///< by inverse kinematics, before it is corrected
+    body::Posture strokes_rest_;          ///< to which strokes are pulled: the grip
     body::Posture faded_from_;            ///< what was asked for when something else began to be
     double fade_start_ = -1e9;            ///< when that was [s]
     std::vector<double> bare_;  ///< no resistance: the mass of the body alone
