@@ -131,15 +131,14 @@ void InverseKinematics::fill_jacobian(const Placement& placement) {
     }
 }
 
-void InverseKinematics::fill_pull(const Posture& from, const Posture& to, double share,
-                                  bool every_axis) {
+void InverseKinematics::fill_pull(const Posture& posture) {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         const Column& c = columns_[k];
-        const Vector3 away = linear::quaternion_log(to.joints[c.segment].conjugate() *
-                                                    from.joints[c.segment]);
+        const Vector3 away = linear::quaternion_log(rest_.joints[c.segment].conjugate() *
+                                                    posture.joints[c.segment]);
         for (int a = 0; a < 3; ++a) {
             const auto column = static_cast<Eigen::Index>(3 * k) + a;
-            pull_[column] = every_axis || c.weight[a] > 0.0 ? -share * away[a] : 0.0;
+            pull_[column] = c.weight[a] > 0.0 ? -options_.rest_pull * away[a] : 0.0;
         }
     }
 }
@@ -193,7 +192,7 @@ void InverseKinematics::turn(Posture& posture) const {
 void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture,
                                 Placement& placement) {
     fill_jacobian(placement);
-    fill_pull(posture, rest_, options_.rest_pull, false);
+    fill_pull(posture);
     const Tasks error = errors(targets, placement);
     step(error, placement);
     if (options_.inverse != Inverse::learnt) {
@@ -215,14 +214,12 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture,
     forward_kinematics(skeleton_, posture, placement);
 }
 
-void InverseKinematics::correct(const ArmTargets& targets, double gain, const Posture& posture,
-                                const Posture& state, const Placement& placement,
-                                Posture& target) {
+void InverseKinematics::lean(const Tasks& wish, const Placement& placement,
+                             const Posture& posture, Posture& target) {
     fill_jacobian(placement);
-    fill_pull(state, posture, 1.0, true);
-    step(gain * errors(targets, placement), placement);
+    pull_.setZero();
+    step(wish, placement);
     target = posture;
-    for (const Column& c : columns_) target.joints[c.segment] = state.joints[c.segment];
     turn(target);
 }
 

@@ -11,7 +11,7 @@
 // The pull is projected as in Siciliano and Slotine 1991. A few iterations from the last solution
 // follow a moving target; joint limits clamp the result.
 //
-// One instance a body, one thread. solve() and correct() allocate nothing; deterministic. All may be
+// One instance a body, one thread. solve() and lean() allocate nothing; deterministic. All may be
 // set between two solves; learning takes some 50 ms.
 #pragma once
 
@@ -75,10 +75,12 @@ class InverseKinematics {
     /// tips' remaining errors [m]. `placement` is that of the new posture.
     double solve(const ArmTargets& targets, Posture& posture, Placement& placement);
 
-    /// The papers' equation 1, closed over the simulated body: `target` = state + `gain` A (X^T - X^S),
-    /// and where that leaves joints free, as in `posture`. `state` and `placement` are the body's.
-    void correct(const ArmTargets& targets, double gain, const Posture& posture,
-                 const Posture& state, const Placement& placement, Posture& target);
+    /// From where the tasks are to where they are wanted.
+    [[nodiscard]] Tasks errors(const ArmTargets& targets, const Placement& placement) const;
+    /// `target` is `posture` with its tasks moved by `wish`, by the Jacobian where the body is
+    /// (`placement`): target = posture + A wish.
+    void lean(const Tasks& wish, const Placement& placement, const Posture& posture,
+              Posture& target);
 
     /// Where the grip is, world [m].
     [[nodiscard]] Vector3 grip(const Placement& placement, Hand hand) const;
@@ -89,9 +91,8 @@ class InverseKinematics {
     [[nodiscard]] Tasks tasks(const Placement& placement) const;
 
   private:
-    [[nodiscard]] Tasks errors(const ArmTargets& targets, const Placement& placement) const;
     void fill_jacobian(const Placement& placement);
-    void fill_pull(const Posture& from, const Posture& to, double share, bool every_axis);
+    void fill_pull(const Posture& posture);
     void step(const Tasks& error, const Placement& placement);
     void turn(Posture& posture) const;
     void iterate(const ArmTargets& targets, Posture& posture, Placement& placement);

@@ -28,6 +28,11 @@ constexpr int kSettling = 60;
 constexpr double kFastestTurn = 20.0;
 /// Of inverse kinematics when it follows a clip, whose arms may be stretched [m].
 constexpr double kClipDamping = 0.02;
+/// With the papers' law and tips: how fast an error that lasts is leaned against [1/s], how fast it
+/// is forgotten [1/s], and how far a tip is leaned at most [m].
+constexpr double kCartesianRate = 20.0;
+constexpr double kForgetting = 0.5;
+constexpr double kMostLean = 0.5;
 /// How far a forearm is turned for thumbs up [rad].
 constexpr double kThumbsUp = 1.2;
 /// In which time targets go over from one motion to another [s].
@@ -53,7 +58,6 @@ Simulation::Simulation(const SimulationOptions& options)
       solution_(skeleton_),
       solved_(skeleton_),
       actual_(skeleton_),
-      state_(skeleton_),
       wanted_(skeleton_),
       strokes_rest_(skeleton_),
       faded_from_(skeleton_),
@@ -232,14 +236,17 @@ void Simulation::set_limits(int segment, const body::JointLimits& limits) {
 }
 
 void Simulation::correct_by_tips() {
-    for (int i = 0; i < skeleton_.size(); ++i) {
-        const int parent = skeleton_.segments[i].parent;
-        state_.joints[i] = parent < 0 ? actual_.orientation[i]
-                                      : actual_.orientation[parent].conjugate() *
-                                            actual_.orientation[i];
-    }
+    const body::InverseKinematics::Tasks error = kinematics_.errors(asked_, actual_);
+    const auto limit = [](double length) {
+        const double most = length;
+        return [most](double v) { return std::clamp(v, -most, most); };
+    };
+    off_for_long_ += h_ * (error - kForgetting * off_for_long_);
+    off_for_long_ = off_for_long_.unaryExpr(limit(kMostLean / kCartesianRate)).eval();
+    const body::InverseKinematics::Tasks wish =
+        (cartesian_gain_ * error + kCartesianRate * off_for_long_).unaryExpr(limit(kMostLean));
     wanted_ = target_.now;
-    kinematics_.correct(asked_, cartesian_gain_, wanted_, state_, actual_, target_.now);
+    kinematics_.lean(wish, actual_, wanted_, target_.now);
 }
 
 void Simulation::mark_contacts() {

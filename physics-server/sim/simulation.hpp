@@ -81,7 +81,8 @@ class Simulation {
     /// Gains, and the law: see Controller.
     Controller& controller() { return *controller_; }
     [[nodiscard]] const Controller& controller() const { return *controller_; }
-    /// The lambda of the papers' equation 1, with which their law follows tips.
+    /// The papers' law follows tips by leaning against the errors of the simulated ones, equation 1 closed
+    /// over the body: this much for an error as it comes (and more for one that lasts).
     void set_cartesian_gain(double gain) { cartesian_gain_ = gain; }
     /// Of the joint of one segment.
     void set_limits(int segment, const body::JointLimits& limits);
@@ -140,9 +141,10 @@ class Simulation {
     std::unique_ptr<body::ClipFollower> clip_;
     double clip_start_ = 0.0;             ///< simulated time of its beginning [s]
     body::Tracking tracking_ = body::Tracking::tips;
-    double cartesian_gain_ = 4.0;
+    double cartesian_gain_ = 2.0;
     body::ArmTargets asked_, asked_next_;  ///< of the tips at time() and a step later
-    body::Posture state_;                 ///< of the simulated body
+    body::InverseKinematics::Tasks off_for_long_ =
+        body::InverseKinematics::Tasks::Zero();  ///< integral of the tips' errors [m s]
     body::Posture wanted_;                ///< by inverse kinematics, before it is corrected
     body::Posture strokes_rest_;          ///< to which strokes are pulled: the grip
     body::Posture faded_from_;            ///< what was asked for when something else began to be
