@@ -22,6 +22,12 @@ void add_drum_command(CLI::App& program);
 /// fastrak-sim: a FASTRAK to try everything on, without hardware. Runs until SIGINT, SIGTERM, "quit"
 /// on standard input or --duration.
 void add_fastrak_sim_command(CLI::App& program);
+/// track: how well the body follows a captured motion.
+void add_track_command(CLI::App& program);
+/// gestures: the gestures that the body knows; more of them out of recordings.
+void add_gestures_command(CLI::App& program);
+/// limits: joint limits out of a captured motion.
+void add_limits_command(CLI::App& program);
 /// bench: how fast the simulation is.
 void add_bench_command(CLI::App& program);
 

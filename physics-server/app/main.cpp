@@ -21,6 +21,9 @@ int main(int argc, char** argv) {
         add_check_command(program);
         add_samples_command(program);
         add_fastrak_sim_command(program);
+        add_track_command(program);
+        add_gestures_command(program);
+        add_limits_command(program);
         add_bench_command(program);
         add_modes_command(program);
         add_drum_command(program);

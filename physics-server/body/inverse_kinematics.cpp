@@ -3,11 +3,17 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "body/learnt_inverse.hpp"
+
 namespace percussionist::body {
 
 namespace {
 
 constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
+/// Of a tip in one iteration [m].
+constexpr double kLongestStep = 0.10;
+/// A learnt step need not come nearer than this [m].
+constexpr double kGoodEnough = 0.0005;
 
 /// How readily each axis of a joint turns, out of what percussionists do: the wrist and the fingers
 /// bend before the elbow, the forearm twists little, the trunk hardly moves.
@@ -22,7 +28,7 @@ Vector3 readiness(const Segment& s) {
 }  // namespace
 
 InverseKinematics::InverseKinematics(const Skeleton& skeleton, InverseKinematicsOptions options)
-    : skeleton_(skeleton), options_(options) {
+    : skeleton_(skeleton), options_(options), rest_(skeleton), before_(skeleton) {
     for (const Hand hand : kHands) stick_[static_cast<int>(hand)] = skeleton.stick_index(hand);
     for (int i = 1; i < skeleton.size(); ++i) {
         if (skeleton.segments[i].reach <= 0.0) continue;
@@ -37,13 +43,34 @@ InverseKinematics::InverseKinematics(const Skeleton& skeleton, InverseKinematics
     jacobian_.setZero(kTasks, count);
     pull_.setZero(count);
     step_.setZero(count);
+    set_inverse(options.inverse);
+}
+
+InverseKinematics::~InverseKinematics() = default;
+
+void InverseKinematics::set_inverse(Inverse inverse) {
+    options_.inverse = inverse;
+    learnt_.reset();
+    if (inverse == Inverse::learnt) learnt_ = std::make_unique<LearntInverse>(*this);
+}
+
+void InverseKinematics::set_rest(const Posture& rest) {
+    rest_ = rest;
+    set_inverse(options_.inverse);
+}
+
+void InverseKinematics::set_readiness(int segment, const Vector3& weight) {
+    for (Column& c : columns_) {
+        if (c.segment == segment) c.weight = weight;
+    }
 }
 
 Vector3 InverseKinematics::grip(const Placement& placement, Hand hand) const {
     return placement.joint[stick_[static_cast<int>(hand)]];
 }
 
-double InverseKinematics::solve(const ArmTargets& targets, Posture& posture, Placement& placement) {
+double InverseKinematics::solve(const ArmTargets& targets, Posture& posture,
+                                Placement& placement) {
     forward_kinematics(skeleton_, posture, placement);
     for (int i = 0; i < options_.iterations; ++i) iterate(targets, posture, placement);
     double worst = 0.0;
@@ -54,38 +81,79 @@ double InverseKinematics::solve(const ArmTargets& targets, Posture& posture, Pla
     return worst;
 }
 
-void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Placement& placement) {
-    Eigen::Matrix<double, kTasks, 1> error;
-    std::array<Vector3, 2> tips, grips;
+InverseKinematics::Tasks InverseKinematics::tasks(const Placement& placement) const {
+    Tasks all;
     for (const Hand hand : kHands) {
         const int h = static_cast<int>(hand);
-        tips[h] = placement.tip(skeleton_, hand);
-        grips[h] = grip(placement, hand);
-        error.segment<3>(4 * h) = targets[h].tip - tips[h];
-        error[4 * h + 3] = options_.grip_weight * (targets[h].grip_height - grips[h].z());
+        all.segment<3>(4 * h) = placement.tip(skeleton_, hand);
+        all[4 * h + 3] = options_.grip_weight * grip(placement, hand).z();
     }
+    return all;
+}
 
-    // Columns are scaled by the weights: J W^1/2 with the step scaled back, and the pull likewise.
+InverseKinematics::Tasks InverseKinematics::errors(const ArmTargets& targets,
+                                                   const Placement& placement) const {
+    Tasks error;
+    for (const Hand hand : kHands) {
+        const int h = static_cast<int>(hand);
+        error.segment<3>(4 * h) = targets[h].tip - placement.tip(skeleton_, hand);
+        error[4 * h + 3] = options_.grip_weight *
+                           (targets[h].grip_height - grip(placement, hand).z());
+    }
+    // A Jacobian tells nothing of what is far: distant targets are approached in steps.
+    for (int h = 0; h < 2; ++h) {
+        const double length = error.segment<4>(4 * h).norm();
+        if (length > kLongestStep) error.segment<4>(4 * h) *= kLongestStep / length;
+    }
+    return error;
+}
+
+void InverseKinematics::fill_jacobian(const Placement& placement) {
+    std::array<Vector3, 2> tips, grips;
+    for (const Hand hand : kHands) {
+        tips[static_cast<int>(hand)] = placement.tip(skeleton_, hand);
+        grips[static_cast<int>(hand)] = grip(placement, hand);
+    }
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         const Column& c = columns_[k];
         const Matrix3 axes = placement.orientation[c.segment].toRotationMatrix();
-        const Vector3 away = linear::quaternion_log(posture.joints[c.segment]);
+        const Vector3 origin = placement.joint[c.segment];
         for (int a = 0; a < 3; ++a) {
             const auto column = static_cast<Eigen::Index>(3 * k) + a;
-            pull_[column] = c.weight[a] > 0.0 ? -options_.rest_pull * away[a] : 0.0;
             for (int h = 0; h < 2; ++h) {
                 if (!c.moves[h]) continue;
-                const Vector3 origin = placement.joint[c.segment];
                 jacobian_.block<3, 1>(4 * h, column) = axes.col(a).cross(tips[h] - origin);
-                if (c.moves_grip[h]) {
-                    jacobian_(4 * h + 3, column) =
-                        options_.grip_weight * axes.col(a).cross(grips[h] - origin).z();
-                }
+                if (!c.moves_grip[h]) continue;
+                jacobian_(4 * h + 3, column) =
+                    options_.grip_weight * axes.col(a).cross(grips[h] - origin).z();
             }
         }
     }
-    Eigen::Matrix<double, kTasks, kTasks> gram =
-        options_.damping * options_.damping * Eigen::Matrix<double, kTasks, kTasks>::Identity();
+}
+
+void InverseKinematics::fill_pull(const Posture& posture) {
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+        const Column& c = columns_[k];
+        const Vector3 away = linear::quaternion_log(rest_.joints[c.segment].conjugate() *
+                                                    posture.joints[c.segment]);
+        for (int a = 0; a < 3; ++a) {
+            const auto column = static_cast<Eigen::Index>(3 * k) + a;
+            pull_[column] = c.weight[a] > 0.0 ? -options_.rest_pull * away[a] : 0.0;
+        }
+    }
+}
+
+void InverseKinematics::step(const Tasks& error, const Placement& placement) {
+    Tasks wanted = error;
+    wanted.noalias() -= jacobian_ * pull_;
+    if (options_.inverse == Inverse::learnt) {
+        learnt_->step(tasks(placement), wanted, step_);
+        return;
+    }
+    Eigen::Matrix<double, kTasks, kTasks> gram = Eigen::Matrix<double, kTasks, kTasks>::Zero();
+    if (options_.inverse == Inverse::damped_least_squares) {
+        gram.diagonal().setConstant(options_.damping * options_.damping);
+    }
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         for (int a = 0; a < 3; ++a) {
             const double w = columns_[k].weight[a];
@@ -94,20 +162,65 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Pla
             gram.noalias() += (w * w) * column * column.transpose();
         }
     }
-    Eigen::Matrix<double, kTasks, 1> pulled = error;
-    pulled.noalias() -= jacobian_ * pull_;
-    const Eigen::Matrix<double, kTasks, 1> y = gram.llt().solve(pulled);
-    step_.noalias() = jacobian_.transpose() * y;
+    if (options_.inverse == Inverse::damped_least_squares) {
+        wanted = gram.llt().solve(wanted).eval();
+    } else {
+        const Tasks moved = gram * wanted;
+        constexpr double kNothing = 1e-18;
+        wanted *= wanted.dot(moved) / std::max(moved.squaredNorm(), kNothing);
+    }
+    step_.noalias() = jacobian_.transpose() * wanted;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+        auto three = step_.segment<3>(static_cast<Eigen::Index>(3 * k));
+        three = columns_[k].weight.cwiseAbs2().cwiseProduct(three).eval();
+    }
+}
+
+void InverseKinematics::turn(Posture& posture) const {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         const Column& c = columns_[k];
         const auto first = static_cast<Eigen::Index>(3 * k);
-        const Vector3 turn =
-            c.weight.cwiseAbs2().cwiseProduct(step_.segment<3>(first)) + pull_.segment<3>(first);
+        Vector3 by = step_.segment<3>(first) + pull_.segment<3>(first);
+        const double angle = by.norm();
+        if (angle > options_.largest_turn) by *= options_.largest_turn / angle;
         Quaternion& joint = posture.joints[c.segment];
-        joint = (joint * linear::quaternion_exp(turn)).normalized();
+        joint = (joint * linear::quaternion_exp(by)).normalized();
         joint = clamp(joint, skeleton_.segments[c.segment].limits);
     }
+}
+
+void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture,
+                                Placement& placement) {
+    fill_jacobian(placement);
+    fill_pull(posture);
+    const Tasks error = errors(targets, placement);
+    step(error, placement);
+    if (options_.inverse != Inverse::learnt) {
+        turn(posture);
+        forward_kinematics(skeleton_, posture, placement);
+        return;
+    }
+    // What was learnt may be wrong here: a step that leads away is tried again, smaller.
+    constexpr int kTries = 3;
+    constexpr double kSmaller = 0.3;
+    before_ = posture;
+    for (int i = 0; i < kTries; ++i) {
+        turn(posture);
+        forward_kinematics(skeleton_, posture, placement);
+        if (errors(targets, placement).norm() <= std::max(error.norm(), kGoodEnough)) return;
+        posture = before_;
+        step_ *= kSmaller;
+    }
     forward_kinematics(skeleton_, posture, placement);
+}
+
+void InverseKinematics::lean(const Tasks& wish, const Placement& placement,
+                             const Posture& posture, Posture& target) {
+    fill_jacobian(placement);
+    pull_.setZero();
+    step(wish, placement);
+    target = posture;
+    turn(target);
 }
 
 }  // namespace percussionist::body

@@ -49,10 +49,4 @@ Quaternion from_euler_zyx(const Vector3& zyx) {
                       Eigen::AngleAxisd(zyx[2], Vector3::UnitX()));
 }
 
-Quaternion clamp(const Quaternion& q, const JointLimits& limits) {
-    const Vector3 angles = euler_zyx(q);
-    const Vector3 inside = angles.cwiseMax(limits.lower_zyx).cwiseMin(limits.upper_zyx);
-    return inside == angles ? q : from_euler_zyx(inside);
-}
-
 }  // namespace percussionist::body

@@ -35,7 +35,4 @@ void forward_kinematics(const Skeleton& skeleton, const Posture& posture, Placem
 Vector3 euler_zyx(const Quaternion& q);
 Quaternion from_euler_zyx(const Vector3& zyx);
 
-/// The nearest rotation, Euler angle by Euler angle, within the limits; `q` itself if it is.
-Quaternion clamp(const Quaternion& q, const JointLimits& limits);
-
 }  // namespace percussionist::body

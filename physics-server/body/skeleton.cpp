@@ -43,7 +43,10 @@ constexpr double kUpperTrunkLength = 0.0980, kHeadLength = 0.1168;
 constexpr double kLumbarHeight = 0.600, kThoracicHeight = 0.691, kNeckHeight = 0.846;
 
 JointLimits limits(double z0, double z1, double y0, double y1, double x0, double x1) {
-    return {kDegree * Vector3(z0, y0, x0), kDegree * Vector3(z1, y1, x1)};
+    JointLimits l;
+    l.lower_zyx = kDegree * Vector3(z0, y0, x0);
+    l.upper_zyx = kDegree * Vector3(z1, y1, x1);
+    return l;
 }
 
 Vector3 moments(const Share& share, double mass, double length, const Vector3& along) {
@@ -60,23 +63,24 @@ Vector3 moments(const Share& share, double mass, double length, const Vector3& a
 
 class Builder {
   public:
-    explicit Builder(const Anthropometry& anthropometry) : person_(anthropometry) {
+    explicit Builder(const Anthropometry& anthropometry)
+        : person_(anthropometry),
+          l_(anthropometry.lengths.value_or(lengths_of(anthropometry.stature))) {
         skeleton_.stick = anthropometry.stick;
     }
 
     Skeleton build() {
-        const double h = person_.stature;
         const Vector3 up = Vector3::UnitZ();
-        add("pelvis", "", -1, {0, 0, kHipHeight * h}, up, kLowerTrunk, kLowerTrunkLength * h,
+        add("pelvis", "", -1, {0, 0, l_.hip_height}, up, kLowerTrunk, l_.lower_trunk,
             {0.20, 0.32, 0.16}, 0, 0, {});
-        const int abdomen = add("abdomen", "lumbar", 0, {0, 0, kLumbarHeight * h}, up, kMiddleTrunk,
-                                kMiddleTrunkLength * h, {0.20, 0.30, 0.17}, 200, 0.03, spine());
+        const int abdomen = add("abdomen", "lumbar", 0, {0, 0, l_.lumbar_height}, up, kMiddleTrunk,
+                                l_.middle_trunk, {0.20, 0.30, 0.17}, 200, 0.03, spine());
         Share chest_share = kUpperTrunk;
         chest_share.mass -= 2 * kClavicleMass;
         const int chest =
-            add("chest", "thoracic", abdomen, {0, 0, kThoracicHeight * h}, up, chest_share,
-                kUpperTrunkLength * h, {0.22, 0.32, 0.24}, 200, 0.03, spine());
-        add("head", "neck", chest, {0, 0, kNeckHeight * h}, up, kHead, kHeadLength * h,
+            add("chest", "thoracic", abdomen, {0, 0, l_.thoracic_height}, up, chest_share,
+                l_.upper_trunk, {0.22, 0.32, 0.24}, 200, 0.03, spine());
+        add("head", "neck", chest, {0, 0, l_.neck_height}, up, kHead, l_.head,
             {0.18, 0.15, 0.24}, 50, 0, spine());
         for (const Hand hand : {Hand::left, Hand::right}) {
             add_arm(hand, chest);
@@ -116,31 +120,30 @@ class Builder {
     }
 
     void add_arm(Hand hand, int chest) {
-        const double h = person_.stature;
         const double y = hand == Hand::left ? 1.0 : -1.0;
         const std::string side = Skeleton::side(hand);
-        const double half_width = kShoulderHalfWidth * h;
+        const double half_width = l_.shoulder_half_width;
         const Vector3 down = -Vector3::UnitZ();
         const Vector3 front = Vector3::UnitX();
-        const Vector3 sternum(0, 0.04 * y, kShoulderHeight * h);
-        const Vector3 shoulder(0, half_width * y, kShoulderHeight * h);
+        const Vector3 sternum(0, 0.04 * y, l_.shoulder_height);
+        const Vector3 shoulder(0, half_width * y, l_.shoulder_height);
         const int clavicle =
             add(side + "clavicle", side + "clavicle", chest, sternum, y * Vector3::UnitY(),
                 {kClavicleMass, 0.5, 0.30, 0.12, 0.30}, half_width - 0.04, {0.05, 0.14, 0.05}, 100,
                 0.05, sided(hand, -20, 20, -20, 20, -20, 20));
         // Elevation and rotation of the upper arm; flexion (about -y) as far as the arm goes up.
-        const double upper = kUpperArmLength * h;
+        const double upper = l_.upper_arm;
         const int upper_arm =
             add(side + "upper_arm", side + "shoulder", clavicle, shoulder, down, kUpperArm, upper,
                 {0.08, 0.08, upper}, 100, 1.0, sided(hand, -90, 90, -90, 90, -60, 90));
         // At rest the elbow is bent by 90 degrees: 170 of flexion from straight is 80 from here.
-        const double fore = kForearmLength * h;
+        const double fore = l_.forearm;
         const Vector3 elbow = shoulder + upper * down;
         const int forearm =
             add(side + "forearm", side + "elbow", upper_arm, elbow, front, kForearm, fore,
                 {fore, 0.07, 0.07}, 60, 1.0, sided(hand, -30, 30, -80, 88, -90, 90));
         const Vector3 wrist = elbow + fore * front;
-        const double palm = kHandLength * h;
+        const double palm = l_.hand;
         const int palm_index =
             add(side + "hand", side + "wrist", forearm, wrist, front, kHand, palm,
                 {0.17, 0.08, 0.03}, 20, 1.0, sided(hand, -45, 45, -88, 88, -45, 45));
@@ -170,24 +173,24 @@ class Builder {
     }
 
     void add_leg(Hand hand) {
-        const double h = person_.stature;
         const double y = hand == Hand::left ? 1.0 : -1.0;
         const std::string side = Skeleton::side(hand);
         const Vector3 down = -Vector3::UnitZ();
-        const Vector3 hip(0, kHipHalfWidth * h * y, kHipHeight * h);
-        const Vector3 knee = hip + kThighLength * h * down;
-        const Vector3 ankle = knee + kShankLength * h * down;
+        const Vector3 hip(0, l_.hip_half_width * y, l_.hip_height);
+        const Vector3 knee = hip + l_.thigh * down;
+        const Vector3 ankle = knee + l_.shank * down;
         const int thigh =
-            add(side + "thigh", side + "hip", 0, hip, down, kThigh, kThighLength * h,
-                {0.14, 0.14, kThighLength * h}, 200, 0, sided(hand, -60, 70, -88, 20, -30, 70));
+            add(side + "thigh", side + "hip", 0, hip, down, kThigh, l_.thigh,
+                {0.14, 0.14, l_.thigh}, 200, 0, sided(hand, -60, 70, -88, 20, -30, 70));
         const int shank =
-            add(side + "shank", side + "knee", thigh, knee, down, kShank, kShankLength * h,
-                {0.10, 0.10, kShankLength * h}, 150, 0, sided(hand, -20, 20, -10, 88, -20, 20));
-        add(side + "foot", side + "ankle", shank, ankle, Vector3::UnitX(), kFoot, kFootLength * h,
+            add(side + "shank", side + "knee", thigh, knee, down, kShank, l_.shank,
+                {0.10, 0.10, l_.shank}, 150, 0, sided(hand, -20, 20, -10, 88, -20, 20));
+        add(side + "foot", side + "ankle", shank, ankle, Vector3::UnitX(), kFoot, l_.foot,
             {0.25, 0.09, 0.06}, 80, 0, sided(hand, -30, 30, -40, 40, -30, 30));
     }
 
     Anthropometry person_;
+    Lengths l_;
     Skeleton skeleton_;
 };
 
@@ -217,9 +220,40 @@ bool Skeleton::moves(int ancestor, int segment) const {
     return segment == ancestor;
 }
 
+Lengths lengths_of(double h) {
+    Lengths l{};
+    l.hip_height = kHipHeight * h;
+    l.hip_half_width = kHipHalfWidth * h;
+    l.lumbar_height = kLumbarHeight * h;
+    l.thoracic_height = kThoracicHeight * h;
+    l.neck_height = kNeckHeight * h;
+    l.shoulder_height = kShoulderHeight * h;
+    l.shoulder_half_width = kShoulderHalfWidth * h;
+    l.upper_arm = kUpperArmLength * h;
+    l.forearm = kForearmLength * h;
+    l.hand = kHandLength * h;
+    l.thigh = kThighLength * h;
+    l.shank = kShankLength * h;
+    l.foot = kFootLength * h;
+    l.lower_trunk = kLowerTrunkLength * h;
+    l.middle_trunk = kMiddleTrunkLength * h;
+    l.upper_trunk = kUpperTrunkLength * h;
+    l.head = kHeadLength * h;
+    return l;
+}
+
 Skeleton make_skeleton(const Anthropometry& anthropometry) {
     check_range(anthropometry.stature, 0.5, 2.5, "stature", "m");
     check_range(anthropometry.mass, 10, 300, "mass", "kg");
+    if (anthropometry.lengths) {
+        const Lengths& l = *anthropometry.lengths;
+        for (const double length :
+             {l.hip_height, l.hip_half_width, l.lumbar_height, l.thoracic_height, l.neck_height,
+              l.shoulder_height, l.shoulder_half_width, l.upper_arm, l.forearm, l.hand, l.thigh,
+              l.shank, l.foot, l.lower_trunk, l.middle_trunk, l.upper_trunk, l.head}) {
+            check_range(length, 0.001, 3.0, "a measured length", "m");
+        }
+    }
     check_range(anthropometry.stick.mass, 0.001, 2.0, "stick mass", "kg");
     check_range(anthropometry.stick.length, 0.1, 1.0, "stick length", "m");
     check_range(anthropometry.stick.held_at, 0.0, 0.5 * anthropometry.stick.length, "stick held at",

@@ -13,24 +13,15 @@
 // Values; no ODE here. Building allocates; reading is pure.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/linear/rotation.hpp"
+#include "body/joint_limits.hpp"
 
 namespace percussionist::body {
 
-using linear::Matrix3;
-using linear::Quaternion;
-using linear::Vector3;
-
 enum class Hand { left = 0, right = 1 };
-
-/// Euler angles z y x [rad] of a joint, measured from the rest posture.
-struct JointLimits {
-    Vector3 lower_zyx = Vector3::Constant(-3.0);
-    Vector3 upper_zyx = Vector3::Constant(3.0);
-};
 
 struct Segment {
     std::string name;
@@ -57,10 +48,23 @@ struct Stick {
     [[nodiscard]] double reach() const { return length - held_at; }
 };
 
+/// Lengths of a body, and heights above the floor of one that stands upright [m].
+struct Lengths {
+    double hip_height, hip_half_width, lumbar_height, thoracic_height, neck_height;
+    double shoulder_height, shoulder_half_width;
+    double upper_arm, forearm, hand;  ///< the hand to the middle of the third knuckle
+    double thigh, shank, foot;
+    double lower_trunk, middle_trunk, upper_trunk, head;
+};
+
+/// Winter's fractions of stature [m].
+Lengths lengths_of(double stature);
+
 struct Anthropometry {
     double stature = 1.75;  ///< [m]
     double mass = 75.0;     ///< [kg]
     Stick stick;
+    std::optional<Lengths> lengths;  ///< those measured; none: lengths_of(stature)
 };
 
 struct Skeleton {
@@ -81,7 +85,7 @@ struct Skeleton {
 };
 
 /// Builds the body. Throws std::invalid_argument for a stature outside 0.5 to 2.5 m, a mass outside
-/// 10 to 300 kg, or a stick that is not one (mass, lengths not finite and above 0).
+/// 10 to 300 kg, a length not above 0 or above 3 m, or a stick that is not one.
 Skeleton make_skeleton(const Anthropometry& anthropometry);
 
 }  // namespace percussionist::body

@@ -1,6 +1,7 @@
 #include "body/stroke_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace percussionist::body {
 
@@ -24,6 +25,32 @@ constexpr double kShortRise = 0.1;
 constexpr double kHandShare = 0.45;
 constexpr double kHandSpeedShare = 0.10;
 constexpr double kForever = 1e9;
+/// Of a gesture: most of the rise lies in this time before the stroke [s]; no rise is faster than
+/// this on average [m/s]; between strokes the tip is lowered to this height [m].
+constexpr double kRiseWindow = 0.40;
+constexpr double kRiseSpeed = 2.0;
+constexpr double kLowered = 0.03;
+
+/// The time in which to go from one state to the other so that the largest speed on the way is
+/// `peak`: the shorter, the faster.
+double time_with_peak(const PathState& a, const PathState& b, double peak) {
+    const auto fastest = [&](double time) {
+        const Quintic path(0.0, a, time, b);
+        constexpr int kParts = 64;
+        double most = 0.0;
+        for (int i = 0; i <= kParts; ++i) {
+            most = std::max(most, std::abs(path.at(time * i / kParts).velocity));
+        }
+        return most;
+    };
+    double shortest = 0.02;
+    double longest = 1.0;
+    for (int halving = 0; halving < 40; ++halving) {
+        const double middle = 0.5 * (shortest + longest);
+        (fastest(middle) > peak ? shortest : longest) = middle;
+    }
+    return longest;
+}
 
 }  // namespace
 
@@ -157,11 +184,14 @@ void StrokePath::rest(double now) {
     wait(pen);
 }
 
-bool StrokePath::aim(double now, const Aim& aim) {
-    if (aim.time - free_from(now) < kShortestAim) return false;
+bool StrokePath::aim(double now, const Aim& wish) {
+    if (wish.time - free_from(now) < kShortestAim) return false;
+    Aim aim = wish;
+    if (aim.shape) aim.speed = aim.shape->impact;
     Pen pen = cut(now);
-    if (aim.time - pen.time >= kSingleArc) raise(pen, aim);
+    if (aim.time - pen.time >= kSingleArc) aim.shape ? raise_as(pen, aim) : raise(pen, aim);
     strike(pen, aim);
+    if (aim.shape) rebound_as(pen, *aim.shape);
     wait(pen);
     if (!aiming(now)) last_ = next_;
     next_ = {aim.time, aim.time + aim.rebound.duration};
@@ -179,6 +209,28 @@ void StrokePath::raise(Pen& pen, const Aim& aim) {
         rebound(pen);
     }
     draw_rest(pen, raised, kShare * aim.speed * down);
+}
+
+void StrokePath::raise_as(Pen& pen, const Aim& aim) {
+    const StrokeShape& s = *aim.shape;
+    const double down = time_with_peak({s.rise, 0.0, 0.0}, {0.0, -s.impact, 0.0}, s.peak_down);
+    const double raised = aim.time - std::min(down, 0.6 * (aim.time - pen.time));
+    // The rise takes what is left of 0.4 s before the stroke, or a little more for a high one.
+    const double up = std::max(kRiseWindow - down, s.rise / kRiseSpeed);
+    if (raised - up - pen.time > kSinkTime) {
+        draw_rest(pen, pen.time + kSinkTime, kLowered);
+        draw_rest(pen, raised - up, kLowered);
+    }
+    draw_rest(pen, raised, s.rise);
+}
+
+void StrokePath::rebound_as(Pen& pen, const StrokeShape& s) {
+    // Thrown up faster than the gesture goes, the stick is slowed down to its height at once.
+    const double thrown = pen.tip.velocity;
+    const double time = thrown >= s.peak_up
+                            ? s.rebound / (kShare * thrown)
+                            : time_with_peak(pen.tip, {s.rebound, 0.0, 0.0}, s.peak_up);
+    draw_rest(pen, pen.time + time, s.rebound);
 }
 
 void StrokePath::strike(Pen& pen, const Aim& aim) {

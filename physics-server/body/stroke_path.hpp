@@ -14,6 +14,9 @@
 
 #include <array>
 #include <limits>
+#include <optional>
+
+#include "body/gesture.hpp"
 
 namespace percussionist::body {
 
@@ -50,6 +53,8 @@ struct Aim {
     double speed = 0.0;   ///< of the tip, downwards, at the impact [m/s]
     double height = 0.0;  ///< to raise the tip to, if there is time [m]
     Rebound rebound;
+    /// Of a gesture: its raise, speeds and rebound; speed and height above are then not used.
+    std::optional<StrokeShape> shape;
 };
 
 class StrokePath {
@@ -104,6 +109,8 @@ class StrokePath {
     void wait(Pen& pen);
     void raise(Pen& pen, const Aim& aim);
     void strike(Pen& pen, const Aim& aim);
+    void raise_as(Pen& pen, const Aim& aim);
+    void rebound_as(Pen& pen, const StrokeShape& shape);
 
     Track tip_, hand_;
     /// The stay in the head after an impact.

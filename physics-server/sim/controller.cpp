@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 
 namespace percussionist::sim {
 
@@ -12,6 +14,10 @@ using linear::quaternion_log;
 
 namespace {
 
+/// Most that the papers' law may have, in units of the lighter side's inertia by the step (squared):
+/// an explicit spring is stable below 4, an explicit damper below 2, and joints are coupled.
+constexpr double kMostStiffness = 0.5;
+constexpr double kMostDamping = 0.5;
 /// Beyond its limits a joint is pushed back at this frequency [Hz].
 constexpr double kStopFrequency = 40.0;
 
@@ -38,6 +44,17 @@ Vector3 reduced_inertia(const Skeleton& skeleton, int i) {
     return (own.cwiseInverse() + above.cwiseInverse()).cwiseInverse();
 }
 
+void check_gains(double frequency, double damping) {
+    if (!(frequency >= 0.1 && frequency <= 1000.0)) {
+        throw std::invalid_argument("control: frequency: expected 0.1 to 1000 Hz, got " +
+                                    std::to_string(frequency));
+    }
+    if (!(damping >= 0.01 && damping <= 10.0)) {
+        throw std::invalid_argument("control: damping: expected 0.01 to 10, got " +
+                                    std::to_string(damping));
+    }
+}
+
 }  // namespace
 
 Target::Target(const Skeleton& skeleton)
@@ -60,6 +77,9 @@ Controller::Controller(OdeBody& body, const ControlOptions& options, double h)
       options_(options),
       h_(h),
       resistance_(body.skeleton().segments.size(), 0.0),
+      own_frequency_(body.skeleton().segments.size(), 0.0),
+      own_damping_(body.skeleton().segments.size(), 0.0),
+      added_(body.skeleton().segments.size(), Vector3::Zero()),
       hand_of_grip_(body.skeleton().segments.size(), -1),
       acceleration_(body.skeleton()),
       torques_(body.skeleton().segments.size(), Vector3::Zero()) {
@@ -77,13 +97,40 @@ Controller::Controller(OdeBody& body, const ControlOptions& options, double h)
 
 Controller::Gains Controller::gains(int joint, double frequency) const {
     const double w = 2.0 * std::numbers::pi * frequency;
-    return {inertia_[joint] * w * w, 2.0 * inertia_[joint] * w};
+    const double damping = own_damping_[joint] > 0.0 ? own_damping_[joint] : options_.damping;
+    return {inertia_[joint] * w * w, 2.0 * damping * inertia_[joint] * w};
+}
+
+void Controller::set_gains(double frequency, double damping) {
+    check_gains(frequency, damping);
+    options_.frequency = options_.grip_frequency = frequency;
+    options_.damping = damping;
+    own_frequency_.assign(own_frequency_.size(), 0.0);
+    own_damping_.assign(own_damping_.size(), 0.0);
+}
+
+void Controller::set_joint_gains(int segment, double frequency, double damping) {
+    check_gains(frequency, damping);
+    own_frequency_.at(segment) = frequency;
+    own_damping_.at(segment) = damping;
+}
+
+void Controller::set_paper_frequency(double frequency) {
+    check_gains(frequency, 1.0);
+    options_.paper_frequency = frequency;
+}
+
+void Controller::add_torque(int joint, const Vector3& torque) {
+    const double limit = body_.skeleton().segments[joint].torque_limit;
+    added_[joint] = torque.cwiseMax(-limit).cwiseMin(limit);
+    body_.add_joint_torque(joint, added_[joint]);
 }
 
 double Controller::frequency(int joint, const Target& target) const {
     const int hand = hand_of_grip_[joint];
-    if (hand < 0) return options_.frequency;
-    return target.loose[hand] ? options_.contact_frequency : options_.grip_frequency;
+    if (hand >= 0 && target.loose[hand]) return options_.contact_frequency;
+    if (own_frequency_[joint] > 0.0) return own_frequency_[joint];
+    return hand < 0 ? options_.frequency : options_.grip_frequency;
 }
 
 void Controller::apply(const Target& target) {
@@ -106,8 +153,7 @@ void Controller::feed_forward(const Target& target) {
         const int parent = body_.skeleton().segments[i].parent;
         const Quaternion turn =
             orientation(body_.segment(parent)) * target.placed_now.orientation[parent].conjugate();
-        const double limit = body_.skeleton().segments[i].torque_limit;
-        body_.add_joint_torque(i, (turn * torques_[i]).cwiseMax(-limit).cwiseMin(limit));
+        add_torque(i, turn * torques_[i]);
     }
 }
 
@@ -141,7 +187,6 @@ void Controller::apply_implicit(int joint, const Target& target) {
 }
 
 void Controller::apply_paper(int joint, const Target& target) {
-    const Segment& s = body_.skeleton().segments[joint];
     const Quaternion above = orientation(body_.parent(joint));
     const Quaternion here = orientation(body_.segment(joint));
     const Quaternion relative = above.conjugate() * here;
@@ -150,8 +195,13 @@ void Controller::apply_paper(int joint, const Target& target) {
     const Vector3 rate = here.conjugate() * (angular_velocity(body_.segment(joint)) -
                                              angular_velocity(body_.parent(joint)));
     const double w = 2.0 * std::numbers::pi * options_.paper_frequency;
-    const Vector3 torque = own_inertia_[joint].cwiseProduct(w * w * error - 2.0 * w * rate);
-    body_.add_joint_torque(joint, here * torque.cwiseMax(-s.torque_limit).cwiseMin(s.torque_limit));
+    // As stiff as asked for, as far as the lighter side of the joint stands it in a step.
+    const Vector3 most_ks = kMostStiffness / (h_ * h_) * own_inertia_[joint];
+    const Vector3 most_kd = kMostDamping / h_ * own_inertia_[joint];
+    const Vector3 ks = most_ks.cwiseMin(Vector3::Constant(inertia_[joint] * w * w));
+    const Vector3 kd = most_kd.cwiseMin(Vector3::Constant(2.0 * inertia_[joint] * w));
+    const Vector3 torque = ks.cwiseProduct(error) - kd.cwiseProduct(rate);
+    add_torque(joint, here * torque);
     for (int a = 0; a < 3; ++a) {
         dJointSetAMotorParam(body_.motor(joint), dParamFMax + a * dParamGroup, 0.0);
     }

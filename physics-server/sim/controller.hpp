@@ -9,8 +9,8 @@
 // by a stop that no torque limit weakens.
 //
 // The law of the papers (Bouenard, Gibet, Wanderley 2009, equation 1), tau = ks e - kd w applied
-// explicitly, is kept to compare with. Applied so it is stable only for low gains; they are scaled
-// by the joint's smaller side.
+// explicitly, is kept to compare with. Applied so it is stable only up to gains that the lighter side
+// of each joint stands in a step (a clavicle's twist has 1e-4 kg m^2); beyond, they are held there.
 #pragma once
 
 #include <array>
@@ -26,9 +26,10 @@ enum class Law { implicit, paper };
 
 struct ControlOptions {
     Law law = Law::implicit;
-    double frequency = 20.0;         ///< of every joint but the grip [Hz]
+    double frequency = 20.0;          ///< of every joint but the grip [Hz]
     double grip_frequency = 20.0;    ///< of the grip in free air [Hz]
     double contact_frequency = 6.0;  ///< of the grip about a contact: a loose hand [Hz]
+    double damping = 1.0;            ///< of every joint; 1: critical
     double paper_frequency = 5.0;    ///< of every joint under the law of the papers [Hz]
 };
 
@@ -55,7 +56,19 @@ class Controller {
     /// How much each joint resists an impulse within the coming step, h kd + h^2 kp [kg m^2].
     [[nodiscard]] const std::vector<double>& resistance() const { return resistance_; }
 
+    // All of these may be called between two steps. Throws std::invalid_argument.
     void set_law(Law law) { options_.law = law; }
+    /// Of every joint [Hz], 0.1 to 1000, and its damping (1: critical), 0.01 to 10.
+    void set_gains(double frequency, double damping);
+    /// Of the joint of one segment, until set_gains().
+    void set_joint_gains(int segment, double frequency, double damping);
+    /// Under the law of the papers [Hz].
+    void set_paper_frequency(double frequency);
+
+    /// What a joint exerted on its segment in the last step [N m, world].
+    [[nodiscard]] Vector3 torque(int segment) const {
+        return added_[segment] + body_.motor_torque(segment);
+    }
     [[nodiscard]] const ControlOptions& options() const { return options_; }
 
   private:
@@ -64,6 +77,7 @@ class Controller {
     };
     [[nodiscard]] Gains gains(int joint, double frequency) const;
     [[nodiscard]] double frequency(int joint, const Target& target) const;
+    void add_torque(int joint, const Vector3& torque);
     void apply_implicit(int joint, const Target& target);
     void apply_paper(int joint, const Target& target);
     void feed_forward(const Target& target);
@@ -74,6 +88,9 @@ class Controller {
     std::vector<double> inertia_;       ///< of what hangs on a joint, its largest moment [kg m^2]
     std::vector<Vector3> own_inertia_;  ///< of the lighter side of a joint, by axis [kg m^2]
     std::vector<double> resistance_;
+    /// Frequencies and damping of joints that have their own; 0: they have not.
+    std::vector<double> own_frequency_, own_damping_;
+    std::vector<Vector3> added_;  ///< torques of the last step that are not the motors'
     std::vector<int> hand_of_grip_;  ///< -1 for a joint that is no grip
     body::Acceleration acceleration_;
     std::vector<Vector3> torques_;  ///< forecast, world frame of the target

@@ -7,17 +7,19 @@ namespace percussionist::sim {
 using body::Hand;
 using body::Segment;
 
-OdeBody::OdeBody(const body::Skeleton& skeleton, OdeWorld& world)
+OdeBody::OdeBody(const body::Skeleton& skeleton, OdeWorld& world, double mass_factor)
     : skeleton_(skeleton),
       segments_(skeleton.segments.size(), nullptr),
       joints_(skeleton.segments.size(), nullptr),
-      motors_(skeleton.segments.size(), nullptr) {
+      motors_(skeleton.segments.size(), nullptr),
+      feedback_(skeleton.segments.size(), dJointFeedback{}) {
     for (int i = 1; i < skeleton.size(); ++i) {
         const Segment& s = skeleton.segments[i];
         dBodyID b = dBodyCreate(world.id());
         dMass mass;
         dMassSetParameters(&mass, s.mass, 0, 0, 0, s.inertia.x(), s.inertia.y(), s.inertia.z(), 0,
                            0, 0);
+        dMassAdjust(&mass, mass_factor * s.mass);
         dBodySetMass(b, &mass);
         dBodySetPosition(b, s.com_rest.x(), s.com_rest.y(), s.com_rest.z());
         dBodySetGyroscopicMode(b, 1);
@@ -37,6 +39,7 @@ OdeBody::OdeBody(const body::Skeleton& skeleton, OdeWorld& world)
             dJointSetAMotorAxis(motor, a, kWorldAxes, a == 0, a == 1, a == 2);
         }
         motors_[i] = motor;
+        dJointSetFeedback(motor, &feedback_[i]);
     }
     for (const Hand hand : {Hand::left, Hand::right}) {
         const int stick = skeleton.stick_index(hand);
@@ -54,6 +57,18 @@ void OdeBody::place(const body::Placement& placement) {
         dBodySetQuaternion(segments_[i], r);
         dBodySetLinearVel(segments_[i], 0, 0, 0);
         dBodySetAngularVel(segments_[i], 0, 0, 0);
+    }
+}
+
+void OdeBody::set_velocities(const body::Placement& before, const body::Placement& after,
+                             double time) {
+    for (int i = 1; i < skeleton_.size(); ++i) {
+        const Vector3 v = (after.com[i] - before.com[i]) / time;
+        const Vector3 w = linear::quaternion_log(after.orientation[i] *
+                                                 before.orientation[i].conjugate()) /
+                          time;
+        dBodySetLinearVel(segments_[i], v.x(), v.y(), v.z());
+        dBodySetAngularVel(segments_[i], w.x(), w.y(), w.z());
     }
 }
 

@@ -14,10 +14,13 @@ namespace percussionist::sim {
 
 class OdeBody {
   public:
-    OdeBody(const body::Skeleton& skeleton, OdeWorld& world);
+    /// Masses and inertias are the skeleton's times `mass_factor`.
+    OdeBody(const body::Skeleton& skeleton, OdeWorld& world, double mass_factor = 1.0);
 
     /// Puts every segment where `placement` has it, at rest.
     void place(const body::Placement& placement);
+    /// Gives every segment the velocity with which it comes from `before` to `after` in `time` [s].
+    void set_velocities(const body::Placement& before, const body::Placement& after, double time);
     /// Where the segments are now.
     void read(body::Placement& placement) const;
 
@@ -31,6 +34,8 @@ class OdeBody {
 
     /// Adds a torque [N m, world] between a segment and its parent, for the step to come.
     void add_joint_torque(int index, const Vector3& torque);
+    /// What a motor exerted on its segment in the last step [N m, world].
+    [[nodiscard]] Vector3 motor_torque(int index) const { return vector(feedback_[index].t1); }
 
     [[nodiscard]] Vector3 tip_position(body::Hand hand) const;
     [[nodiscard]] Vector3 tip_velocity(body::Hand hand) const;
@@ -49,6 +54,7 @@ class OdeBody {
     const body::Skeleton& skeleton_;
     std::vector<dBodyID> segments_;
     std::vector<dJointID> joints_, motors_;
+    std::vector<dJointFeedback> feedback_;  ///< of the motors
     Tip tips_[2];
 };
 

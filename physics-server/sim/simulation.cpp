@@ -24,6 +24,19 @@ constexpr double kLooseBefore = 0.004;
 constexpr double kLooseAfter = 0.010;
 /// Iterations with which inverse kinematics finds the first posture.
 constexpr int kSettling = 60;
+/// No joint is asked to turn faster by a clip, in each iteration [rad/s].
+constexpr double kFastestTurn = 20.0;
+/// Of inverse kinematics when it follows a clip, whose arms may be stretched [m].
+constexpr double kClipDamping = 0.02;
+/// With the papers' law and tips: how fast an error that lasts is leaned against [1/s], how fast it
+/// is forgotten [1/s], and how far a tip is leaned at most [m].
+constexpr double kCartesianRate = 20.0;
+constexpr double kForgetting = 0.5;
+constexpr double kMostLean = 0.5;
+/// How far a forearm is turned for thumbs up [rad].
+constexpr double kThumbsUp = 1.2;
+/// In which time targets go over from one motion to another [s].
+constexpr double kFade = 0.5;
 
 double checked_rate(double rate) {
     if (!(rate >= 250.0 && rate <= 4000.0)) {
@@ -45,8 +58,12 @@ Simulation::Simulation(const SimulationOptions& options)
       solution_(skeleton_),
       solved_(skeleton_),
       actual_(skeleton_),
+      wanted_(skeleton_),
+      strokes_rest_(skeleton_),
+      faded_from_(skeleton_),
       bare_(skeleton_.segments.size(), 0.0) {
-    body_ = std::make_unique<OdeBody>(skeleton_, world_);
+    const double mass_factor = 1.0 + options.mass_error;
+    body_ = std::make_unique<OdeBody>(skeleton_, world_, mass_factor);
     controller_ = std::make_unique<Controller>(*body_, options.control, h_);
     head_ = std::make_unique<Drumhead>(options.head, h_);
 
@@ -62,8 +79,7 @@ Simulation::Simulation(const SimulationOptions& options)
         last_velocity_[index(hand)].setZero();
     }
 
-    const body::ArmTargets targets{arm_target(Hand::left, 0.0), arm_target(Hand::right, 0.0)};
-    for (int i = 0; i < kSettling; ++i) kinematics_.solve(targets, solution_, solved_);
+    settle(0.0);
     target_.before = target_.now = target_.after = solution_;
     target_.placed_before = target_.placed_now = target_.placed_after = solved_;
     body_->place(solved_);
@@ -84,7 +100,15 @@ Vector3 Simulation::tip_target(Hand hand) const {
 }
 
 bool Simulation::strike(Hand hand, double time, double speed, double height) {
-    return own_path(hand).aim(frontier(), {time, speed, height, forecast_->rebound(speed)});
+    return own_path(hand).aim(frontier(), {time, speed, height, forecast_->rebound(speed), {}});
+}
+
+bool Simulation::strike(Hand hand, double time, const body::StrokeShape& shape) {
+    body::Aim aim;
+    aim.time = time;
+    aim.rebound = forecast_->rebound(shape.impact);
+    aim.shape = shape;
+    return own_path(hand).aim(frontier(), aim);
 }
 
 body::ArmTarget Simulation::arm_target(Hand hand, double t) const {
@@ -99,11 +123,130 @@ body::ArmTarget Simulation::arm_target(Hand hand, double t) const {
     return target;
 }
 
+body::ArmTargets Simulation::arm_targets(double t) const {
+    if (clip_) return clip_->targets(t - clip_start_);
+    return {arm_target(Hand::left, t), arm_target(Hand::right, t)};
+}
+
+void Simulation::settle(double t) {
+    asked_ = asked_next_ = arm_targets(t);
+    kinematics_.set_largest_turn(body::InverseKinematicsOptions().largest_turn);
+    for (int i = 0; i < kSettling; ++i) kinematics_.solve(asked_, solution_, solved_);
+    if (clip_) kinematics_.set_largest_turn(kFastestTurn * h_);
+}
+
 void Simulation::fill_target(double t) {
-    const body::ArmTargets targets{arm_target(Hand::left, t), arm_target(Hand::right, t)};
-    kinematics_.solve(targets, solution_, solved_);
-    target_.after = solution_;
-    target_.placed_after = solved_;
+    asked_ = asked_next_;
+    if (clip_ && tracking_ == body::Tracking::joints) {
+        clip_->posture(t - clip_start_, target_.after, target_.placed_after);
+    } else {
+        asked_next_ = arm_targets(t);
+        kinematics_.solve(asked_next_, solution_, solved_);
+        target_.after = solution_;
+        target_.placed_after = solved_;
+    }
+    fade(t);
+}
+
+void Simulation::begin_fade() {
+    faded_from_ = target_.after;
+    fade_start_ = time();
+}
+
+void Simulation::fade(double t) {
+    const double s = (t - fade_start_) / kFade;
+    if (s >= 1.0) return;
+    const double share = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+    for (std::size_t i = 0; i < target_.after.joints.size(); ++i) {
+        target_.after.joints[i] = faded_from_.joints[i].slerp(share, target_.after.joints[i]);
+    }
+    body::forward_kinematics(skeleton_, target_.after, target_.placed_after);
+}
+
+void Simulation::follow(std::shared_ptr<const body::Clip> clip) {
+    begin_fade();
+    kinematics_.set_rest(clip->mean());
+    kinematics_.set_damping(kClipDamping);
+    solution_ = clip->mean();
+    clip_ = std::make_unique<body::ClipFollower>(std::move(clip), skeleton_);
+    clip_start_ = time();
+    settle(time());
+}
+
+void Simulation::begin_with(std::shared_ptr<const body::Clip> clip, double start) {
+    follow(std::move(clip));
+    clip_start_ = time() - start;
+    settle(time());
+    fade_start_ = -1e9;
+    const double now = time();
+    for (const double t : {now - h_, now, now + h_}) {
+        fill_target(t);
+        if (t <= now) target_.advance();
+    }
+    body_->place(target_.placed_now);
+    body_->set_velocities(target_.placed_before, target_.placed_after, 2.0 * h_);
+    asked_next_ = arm_targets(now);
+    body_->read(actual_);
+}
+
+void Simulation::follow_strokes() {
+    begin_fade();
+    clip_.reset();
+    kinematics_.set_rest(strokes_rest_);
+    kinematics_.set_damping(body::InverseKinematicsOptions().damping);
+    solution_ = strokes_rest_;
+    settle(time());
+}
+
+void Simulation::set_tracking(body::Tracking tracking) {
+    if (tracking == tracking_) return;
+    begin_fade();
+    tracking_ = tracking;
+    settle(time());
+}
+
+void Simulation::set_inverse(body::Inverse inverse) {
+    begin_fade();
+    kinematics_.set_inverse(inverse);
+}
+
+void Simulation::set_grip(body::Grip grip) {
+    const bool french = grip == body::Grip::french;
+    body::Posture rest(skeleton_);
+    for (const Hand hand : kHands) {
+        const std::string side = body::Skeleton::side(hand);
+        const double inwards = hand == Hand::left ? -1.0 : 1.0;
+        if (french) {
+            rest.joints[skeleton_.index(side + "forearm")] =
+                linear::quaternion_exp(inwards * kThumbsUp * Vector3::UnitX());
+        }
+        // With thumbs up the stick swings about the axis across the palm.
+        kinematics_.set_readiness(skeleton_.index(side + "hand"),
+                                  french ? Vector3(0.0, 0.4, 1.0) : Vector3(0.0, 1.0, 0.4));
+        kinematics_.set_readiness(skeleton_.stick_index(hand),
+                                  french ? Vector3(0.0, 0.2, 1.0) : Vector3(0.0, 1.0, 0.2));
+    }
+    begin_fade();
+    kinematics_.set_rest(rest);
+    strokes_rest_ = rest;
+}
+
+void Simulation::set_limits(int segment, const body::JointLimits& limits) {
+    skeleton_.segments.at(segment).limits = limits;
+}
+
+void Simulation::correct_by_tips() {
+    const body::InverseKinematics::Tasks error = kinematics_.errors(asked_, actual_);
+    const auto limit = [](double length) {
+        const double most = length;
+        return [most](double v) { return std::clamp(v, -most, most); };
+    };
+    off_for_long_ += h_ * (error - kForgetting * off_for_long_);
+    off_for_long_ = off_for_long_.unaryExpr(limit(kMostLean / kCartesianRate)).eval();
+    const body::InverseKinematics::Tasks wish =
+        (cartesian_gain_ * error + kCartesianRate * off_for_long_).unaryExpr(limit(kMostLean));
+    wanted_ = target_.now;
+    kinematics_.lean(wish, actual_, wanted_, target_.now);
 }
 
 void Simulation::mark_contacts() {
@@ -140,18 +283,23 @@ TouchingTip Simulation::touching_tip(Hand hand) {
 void Simulation::step(std::vector<ContactEvent>& contacts) {
     fill_target(time() + h_);
     mark_contacts();
+    const bool by_tips = !clip_ || tracking_ == body::Tracking::tips;
+    if (controller_->options().law == Law::paper && by_tips) correct_by_tips();
     controller_->apply(target_);
+    if (options_.head_there) strike_head(contacts);
+    world_.step(h_);
+    ++steps_;
+    body_->read(actual_);
+    target_.advance();
+}
 
+void Simulation::strike_head(std::vector<ContactEvent>& contacts) {
     const std::array<TouchingTip, 2> tips{touching_tip(Hand::left), touching_tip(Hand::right)};
     last_impulse_ = head_->step(time(), tips, contacts);
     for (const Hand hand : kHands) {
         const double impulse = last_impulse_[index(hand)];
         if (impulse != 0.0) body_->add_tip_force(hand, {0.0, 0.0, impulse / h_});
     }
-    world_.step(h_);
-    ++steps_;
-    body_->read(actual_);
-    target_.advance();
 }
 
 }  // namespace percussionist::sim

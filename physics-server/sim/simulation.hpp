@@ -14,6 +14,7 @@
 #include <memory>
 #include <vector>
 
+#include "body/clip_follower.hpp"
 #include "body/inverse_dynamics.hpp"
 #include "body/inverse_kinematics.hpp"
 #include "body/posture.hpp"
@@ -34,6 +35,9 @@ struct SimulationOptions {
     double head_height = 0.92;    ///< of the head above the floor [m]
     double strike_radius = 0.75;  ///< where the sticks meet the head, share of its radius
     double strikes_apart = 0.16;  ///< distance between the places of both sticks [m]
+    bool head_there = true;       ///< false: the sticks move in free air
+    /// The simulated body weighs this much more than the one that control reckons with, a share.
+    double mass_error = 0.0;
 };
 
 class Simulation {
@@ -51,12 +55,45 @@ class Simulation {
 
     /// Asks for a stroke; see body::StrokePath::aim. The rebound is forecast here.
     bool strike(body::Hand hand, double time, double speed, double height);
+    /// The same, in the shape of a gesture.
+    bool strike(body::Hand hand, double time, const body::StrokeShape& shape);
     void rest(body::Hand hand) { own_path(hand).rest(frontier()); }
     [[nodiscard]] const body::StrokePath& path(body::Hand hand) const {
         return paths_[static_cast<int>(hand)];
     }
 
+    // How the body is moved. All may be called between any two steps; targets go over from one to
+    // the other smoothly. Setting the learnt inverse, and following, takes some 50 ms.
+
+    /// Follows a clip (of this body's skeleton), from its beginning on.
+    void follow(std::shared_ptr<const body::Clip> clip);
+    /// The same, with the body put where the clip is at `start` [s], moving as it does.
+    void begin_with(std::shared_ptr<const body::Clip> clip, double start = 0.0);
+    /// Follows the strokes asked for again.
+    void follow_strokes();
+    /// Null while it follows strokes.
+    [[nodiscard]] const body::ClipFollower* following() const { return clip_.get(); }
+    /// Of a clip: joints or tips. Strokes are followed by their tips.
+    void set_tracking(body::Tracking tracking);
+    void set_inverse(body::Inverse inverse);
+    /// How the sticks are held: palms down (german) or thumbs up (french). Strokes alone.
+    void set_grip(body::Grip grip);
+    /// Gains, and the law: see Controller.
+    Controller& controller() { return *controller_; }
+    [[nodiscard]] const Controller& controller() const { return *controller_; }
+    /// The papers' law follows tips by leaning against the errors of the simulated ones, equation 1 closed
+    /// over the body: this much for an error as it comes (and more for one that lasts).
+    void set_cartesian_gain(double gain) { cartesian_gain_ = gain; }
+    /// Of the joint of one segment.
+    void set_limits(int segment, const body::JointLimits& limits);
+
     [[nodiscard]] const body::Skeleton& skeleton() const { return skeleton_; }
+    /// What the controller was asked for in the last step, at time().
+    [[nodiscard]] const body::Posture& posture_asked() const { return target_.now; }
+    /// The middle of a tip in it, world [m].
+    [[nodiscard]] Vector3 tip_asked(body::Hand hand) const {
+        return target_.placed_now.tip(skeleton_, hand);
+    }
     /// Where the segments are; true to the last step.
     [[nodiscard]] const body::Placement& placement() const { return actual_; }
     /// The middle of a tip against the point of the head it strikes, world axes: z 0 at the touch.
@@ -71,8 +108,15 @@ class Simulation {
   private:
     body::StrokePath& own_path(body::Hand hand) { return paths_[static_cast<int>(hand)]; }
     [[nodiscard]] body::ArmTarget arm_target(body::Hand hand, double t) const;
+    [[nodiscard]] body::ArmTargets arm_targets(double t) const;
     void fill_target(double t);
+    void fill_from_clip(double t);
+    void fade(double t);
+    void begin_fade();
+    void settle(double t);
+    void correct_by_tips();
     void mark_contacts();
+    void strike_head(std::vector<ContactEvent>& contacts);
     TouchingTip touching_tip(body::Hand hand);
 
     SimulationOptions options_;
@@ -92,8 +136,19 @@ class Simulation {
     std::array<double, 2> last_impulse_{};
     Vector3 head_centre_;
     Target target_;
-    body::Posture solution_;
+    body::Posture solution_;              ///< of inverse kinematics
     body::Placement solved_, actual_;
+    std::unique_ptr<body::ClipFollower> clip_;
+    double clip_start_ = 0.0;             ///< simulated time of its beginning [s]
+    body::Tracking tracking_ = body::Tracking::tips;
+    double cartesian_gain_ = 2.0;
+    body::ArmTargets asked_, asked_next_;  ///< of the tips at time() and a step later
+    body::InverseKinematics::Tasks off_for_long_ =
+        body::InverseKinematics::Tasks::Zero();  ///< integral of the tips' errors [m s]
+    body::Posture wanted_;                ///< by inverse kinematics, before it is corrected
+    body::Posture strokes_rest_;          ///< to which strokes are pulled: the grip
+    body::Posture faded_from_;            ///< what was asked for when something else began to be
+    double fade_start_ = -1e9;            ///< when that was [s]
     std::vector<double> bare_;  ///< no resistance: the mass of the body alone
 };
 
