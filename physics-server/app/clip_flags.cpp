@@ -17,7 +17,8 @@ void add_clip_flags(CLI::App& command, ClipOptions& o) {
     command.add_option("--map", o.map,
                        "which joint is which: a file, or cmu, mixamo, perception-neuron, bandai, "
                        "biovision, poser, smpl, biped (without: the one that matches most)");
-    command.add_option("--unit", o.unit, "of a BVH file's lengths: m, cm, mm, inch, cmu, or metres")
+    command
+        .add_option("--unit", o.unit, "of a BVH file's lengths: m, cm, mm, inch, cmu, or metres")
         ->transform(CLI::AsNumberWithUnit(units, CLI::AsNumberWithUnit::CASE_INSENSITIVE))
         ->default_str("found out");
     command.add_option("--weight", o.mass, "of the body [kg] (without: from its stature)")

@@ -47,7 +47,8 @@ void report_match(const motion::Capture& capture, const body::SkeletonMatch& mat
         const auto found = match.joints.find(s.name);
         if (found != match.joints.end()) {
             ++matched;
-            report.push_back(fmt::format("  {:<16} {}", s.name, capture.joints[found->second].name));
+            report.push_back(
+                fmt::format("  {:<16} {}", s.name, capture.joints[found->second].name));
         } else {
             missing += " " + s.name;
         }
@@ -56,8 +57,9 @@ void report_match(const motion::Capture& capture, const body::SkeletonMatch& mat
                   fmt::format("skeleton: map '{}' matches {} of {} segments", match.map, matched,
                               skeleton.size()));
     if (matched == 0) {
-        report.push_back("  NOTHING MATCHED: the body stays at rest. Write a map (--map FILE); the "
-                         "file's joints are:");
+        report.push_back(
+            "  NOTHING MATCHED: the body stays at rest. Write a map (--map FILE); the "
+            "file's joints are:");
         std::string names = "   ";
         for (const auto& joint : capture.joints) {
             if (!joint.end) names += " " + joint.name;
@@ -89,8 +91,8 @@ LoadedClip load_bvh(const ClipOptions& options) {
     const std::string repairs = motion.repairs.describe();
     if (!repairs.empty()) out.report.push_back("mended: " + repairs);
     out.postures = std::move(motion.postures);
-    out.clip = std::make_shared<body::Clip>(capture.name, out.skeleton, out.postures,
-                                            motion.frame_time);
+    out.clip =
+        std::make_shared<body::Clip>(capture.name, out.skeleton, out.postures, motion.frame_time);
     return out;
 }
 
@@ -111,8 +113,8 @@ LoadedClip load_csv(const ClipOptions& options) {
     std::array<std::optional<motion::Trajectory>, 2> paths;
     for (std::size_t i = 0; i < options.files.size(); ++i) {
         auto read = files::read_trajectory_file(options.files[i], reading);
-        int hand = options.files.size() == 2 ? static_cast<int>(i)
-                                             : hand_of(options, options.files[i]);
+        int hand =
+            options.files.size() == 2 ? static_cast<int>(i) : hand_of(options, options.files[i]);
         if (read.size() == 2) hand = 0;
         for (motion::Trajectory& path : read) {
             out.report.push_back(fmt::format("{}: {} samples in {:.3f} s, the {} stick", path.name,

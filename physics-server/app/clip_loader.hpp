@@ -1,4 +1,5 @@
-// From files (BVH, CSV) to a body and the clip it is to follow, with what was done to them in words.
+// From files (BVH, CSV) to a body and the clip it is to follow, with what was done to them in
+// words.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +14,13 @@ namespace percussionist::app {
 
 struct ClipOptions {
     std::vector<std::filesystem::path> files;  ///< one; or two CSV files, left and right
-    std::string map;                  ///< of the skeleton: a ready one's name or a file; empty: the best
-    double unit = 0.0;                ///< of a BVH file's lengths [m]; 0: find out
-    double mass = 0.0;                ///< of the body [kg]; 0: from its stature
-    double rate = 250.0;              ///< of a CSV file that counts frames [Hz]
-    std::string hand;                 ///< of a CSV file with one path: left or right; empty: its name's
-    std::vector<double> tip_offset;   ///< of the tip in the mallet's frame, x y z [m]; empty: zero
-    bool wide_limits = true;          ///< the usual joint limits are widened to hold the clip
+    std::string map;      ///< of the skeleton: a ready one's name or a file; empty: the best
+    double unit = 0.0;    ///< of a BVH file's lengths [m]; 0: find out
+    double mass = 0.0;    ///< of the body [kg]; 0: from its stature
+    double rate = 250.0;  ///< of a CSV file that counts frames [Hz]
+    std::string hand;     ///< of a CSV file with one path: left or right; empty: its name's
+    std::vector<double> tip_offset;  ///< of the tip in the mallet's frame, x y z [m]; empty: zero
+    bool wide_limits = true;         ///< the usual joint limits are widened to hold the clip
 };
 
 struct LoadedClip {

@@ -28,8 +28,10 @@ inline void fit_axes(files::Chart& chart) {
         axis.low = low - margin * size;
         axis.high = high + margin * size;
     };
-    fit(chart.x, [](const auto& p) { return p.first; }, 0.0);
-    fit(chart.y, [](const auto& p) { return p.second; }, kMargin);
+    fit(
+        chart.x, [](const auto& p) { return p.first; }, 0.0);
+    fit(
+        chart.y, [](const auto& p) { return p.second; }, kMargin);
 }
 
 }  // namespace percussionist::app

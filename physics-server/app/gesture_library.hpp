@@ -20,6 +20,7 @@ void add_gesture(const std::filesystem::path& library, const body::Gesture& gest
 
 /// The strokes in recordings of a left and a right stick, or of one. Throws std::runtime_error.
 body::Gesture gesture_from_files(const std::string& name,
-                                 const std::vector<std::filesystem::path>& files, double frame_rate);
+                                 const std::vector<std::filesystem::path>& files,
+                                 double frame_rate);
 
 }  // namespace percussionist::app

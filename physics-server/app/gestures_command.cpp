@@ -104,7 +104,8 @@ void play_all(const GesturesCommand& command) {
     for (const std::string& name : names) {
         const body::Gesture& gesture = named(all, name);
         const std::vector<body::StrokeShape> shapes = play(gesture, command);
-        fmt::print("{}", row(name, gesture.shape, gesture.synthetic ? "asked (synthetic)" : "asked"));
+        fmt::print("{}",
+                   row(name, gesture.shape, gesture.synthetic ? "asked (synthetic)" : "asked"));
         if (shapes.empty()) {
             fmt::print("{:<18} no contact with the head\n", "");
             continue;
@@ -211,7 +212,8 @@ void add_gestures_command(CLI::App& program) {
     playing.callback([o] { play_all(*o); });
 
     CLI::App& writing = *command.add_subcommand(
-        "write", "a gesture as a synthetic recording of two mallets (CSV), to follow or to look at");
+        "write",
+        "a gesture as a synthetic recording of two mallets (CSV), to follow or to look at");
     writing.add_option("name", o->name, "which")->required();
     writing.add_option("-o,--output", o->output, "the file")->required();
     writing.add_option("--strokes", o->strokes, "how many")

@@ -32,15 +32,18 @@ void write(const std::filesystem::path& path, const std::string& text) {
     if (!out) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-/// Where the surface of the limits lies in a plane of two coordinates, as a closed line: an ellipse of
-/// rotation vectors about the mean, or the outline of a box of angles.
+/// Where the surface of the limits lies in a plane of two coordinates, as a closed line: an ellipse
+/// of rotation vectors about the mean, or the outline of a box of angles.
 files::Series outline(const body::JointLimits& limits, int across, int up) {
     files::Series line{"limits", files::Series::Kind::line, "#d62728", {}};
     if (limits.shape == body::LimitShape::box) {
         const auto& a = limits.lower_zyx;
         const auto& b = limits.upper_zyx;
-        for (const auto& [x, y] : {std::pair{a[across], a[up]}, {b[across], a[up]},
-                                   {b[across], b[up]}, {a[across], b[up]}, {a[across], a[up]}}) {
+        for (const auto& [x, y] : {std::pair{a[across], a[up]},
+                                   {b[across], a[up]},
+                                   {b[across], b[up]},
+                                   {a[across], b[up]},
+                                   {a[across], a[up]}}) {
             line.points.emplace_back(kDegrees * x, kDegrees * y);
         }
         return line;
@@ -114,8 +117,9 @@ void run(const LimitsCommand& command) {
 void add_limits_command(CLI::App& program) {
     auto o = std::make_shared<LimitsCommand>();
     CLI::App& command = *program.add_subcommand(
-        "limits", "the limits of each joint out of a captured motion: a file for track --limits, and "
-                  "a picture of what was seen and where the limits lie");
+        "limits",
+        "the limits of each joint out of a captured motion: a file for track --limits, and "
+        "a picture of what was seen and where the limits lie");
     add_clip_flags(command, o->clip);
     command
         .add_option("--kind", o->kind,

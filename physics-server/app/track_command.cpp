@@ -26,9 +26,8 @@ struct TrackCommand {
 
 bool wanted(const TrackCommand& command, const TrackControl& control) {
     if (command.law != "both" && command.law != law_name(control.law)) return false;
-    return command.controls.empty() ||
-           std::find(command.controls.begin(), command.controls.end(), control.name) !=
-               command.controls.end();
+    return command.controls.empty() || std::find(command.controls.begin(), command.controls.end(),
+                                                 control.name) != command.controls.end();
 }
 
 void use_limits(LoadedClip& clip, const std::filesystem::path& path) {
@@ -60,14 +59,16 @@ void add_track_command(CLI::App& program) {
         "follow a captured motion with the simulated body, by its joints and by its tips alone, "
         "under the papers' law and ours, and say how well: errors, torques, computing time");
     add_clip_flags(command, o->clip);
-    command.add_option("--report", o->report, "folder for tables, time series (CSV), pictures (SVG)");
+    command.add_option("--report", o->report,
+                       "folder for tables, time series (CSV), pictures (SVG)");
     command.add_option("--law", o->law, "paper (torque = ks e - kd w), implicit (ours), or both")
         ->check(CLI::IsMember({"paper", "implicit", "both"}))
         ->capture_default_str();
     command
-        .add_option("--control", o->controls,
-                    "joints (the captured joints), or tips by inverse kinematics: dls (damped least "
-                    "squares), transpose, learnt; several may be named (without: all)")
+        .add_option(
+            "--control", o->controls,
+            "joints (the captured joints), or tips by inverse kinematics: dls (damped least "
+            "squares), transpose, learnt; several may be named (without: all)")
         ->check(CLI::IsMember({"joints", "dls", "transpose", "learnt"}));
     command.add_option("--rate", o->track.rate, "steps a second [Hz]")
         ->check(CLI::Range(250.0, 4000.0))
@@ -86,7 +87,8 @@ void add_track_command(CLI::App& program) {
                     "the simulated body weighs this share more than control reckons with")
         ->check(CLI::Range(-0.9, 9.0))
         ->capture_default_str();
-    command.add_option("--limits", o->limits, "joint limits, as 'percussionist limits' writes them");
+    command.add_option("--limits", o->limits,
+                       "joint limits, as 'percussionist limits' writes them");
     command.add_option("--start", o->track.start, "where in the clip to begin [s]")
         ->check(CLI::Range(0.0, 1e9));
     command.add_option("--seconds", o->track.seconds, "how much of it to follow [s]")

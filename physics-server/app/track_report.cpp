@@ -53,9 +53,9 @@ std::string summary_csv(const std::vector<TrackRun>& runs) {
 std::string series_csv(const TrackRun& run) {
     std::string text = "time_s";
     for (const char* side : kSides) {
-        for (const char* what : {"captured_x_m", "captured_y_m", "captured_z_m", "tip_x_m",
-                                 "tip_y_m", "tip_z_m", "elbow_captured_deg", "elbow_asked_deg",
-                                 "elbow_deg"}) {
+        for (const char* what :
+             {"captured_x_m", "captured_y_m", "captured_z_m", "tip_x_m", "tip_y_m", "tip_z_m",
+              "elbow_captured_deg", "elbow_asked_deg", "elbow_deg"}) {
             text += fmt::format(",{}_{}", side, what);
         }
         for (const char* joint : kJoints) text += fmt::format(",{}_{}_torque_N_m", side, joint);
@@ -92,7 +92,7 @@ double time_of(const TrackSample& s) {
 
 /// One chart for a law and a side: what was captured in black, every control in its colour.
 files::Chart chart(const std::string& what, const std::string& unit, sim::Law law, int side,
-                  const std::vector<TrackRun>& runs, const Value& captured, const Value& of_body) {
+                   const std::vector<TrackRun>& runs, const Value& captured, const Value& of_body) {
     files::Chart plot;
     plot.title = fmt::format("{}, {}, {} law", what, kSides[side], law_name(law));
     plot.x.title = "time [s]";
@@ -106,7 +106,7 @@ files::Chart chart(const std::string& what, const std::string& unit, sim::Law la
             first = false;
         }
         plot.series.push_back(line(run.control.name, kColours[colour++ % std::size(kColours)], run,
-                                  time_of, of_body));
+                                   time_of, of_body));
     }
     fit_axes(plot);
     return plot;
@@ -114,15 +114,14 @@ files::Chart chart(const std::string& what, const std::string& unit, sim::Law la
 
 /// Charts for each law and side that there is.
 std::vector<files::Chart> charts(const std::string& what, const std::string& unit,
-                                const std::vector<TrackRun>& runs,
-                                const std::function<Value(int)>& captured,
-                                const std::function<Value(int)>& of_body) {
+                                 const std::vector<TrackRun>& runs,
+                                 const std::function<Value(int)>& captured,
+                                 const std::function<Value(int)>& of_body) {
     std::vector<files::Chart> all;
     for (const sim::Law law : {sim::Law::paper, sim::Law::implicit}) {
         for (int side = 0; side < 2; ++side) {
-            files::Chart plot =
-                chart(what, unit, law, side, runs, captured ? captured(side) : Value(),
-                      of_body(side));
+            files::Chart plot = chart(what, unit, law, side, runs,
+                                      captured ? captured(side) : Value(), of_body(side));
             if (!plot.series.empty()) all.push_back(std::move(plot));
         }
     }
@@ -148,8 +147,8 @@ std::vector<files::Chart> side_views(const std::vector<TrackRun>& runs) {
                 if (plot.series.empty()) {
                     plot.series.push_back(line("captured", "black", run, x0, z0));
                 }
-                plot.series.push_back(line(run.control.name,
-                                          kColours[colour++ % std::size(kColours)], run, x, z));
+                plot.series.push_back(
+                    line(run.control.name, kColours[colour++ % std::size(kColours)], run, x, z));
             }
             fit_axes(plot);
             if (!plot.series.empty()) all.push_back(std::move(plot));
@@ -180,22 +179,21 @@ void write_pictures(const fs::path& folder, const std::vector<TrackRun>& runs) {
         };
     };
     files::write_svg(folder / "elbow-asked.svg", charts("elbow flexion asked for", "flexion [deg]",
-                                                         runs, elbow_captured, elbow_asked));
+                                                        runs, elbow_captured, elbow_asked));
     files::write_svg(folder / "elbow.svg", charts("elbow flexion of the body", "flexion [deg]",
-                                                   runs, elbow_captured, elbow));
+                                                  runs, elbow_captured, elbow));
     files::write_svg(folder / "tip-height.svg",
-                      charts("height of the tip", "height [m]", runs, height_captured, height));
+                     charts("height of the tip", "height [m]", runs, height_captured, height));
     files::write_svg(folder / "tip-path.svg", side_views(runs));
     files::write_svg(folder / "tip-error.svg",
-                      charts("error of the tip", "error [mm]", runs, nullptr, error));
+                     charts("error of the tip", "error [mm]", runs, nullptr, error));
     std::vector<files::Chart> torques;
     for (int joint = 0; joint < 4; ++joint) {
         const auto torque = [joint](int side) -> Value {
             return [side, joint](const TrackSample& s) { return s.arms[side].torque[joint]; };
         };
-        for (files::Chart& plot :
-             charts(fmt::format("torque of the {}", kJoints[joint]), "torque [N m]", runs, nullptr,
-                    torque)) {
+        for (files::Chart& plot : charts(fmt::format("torque of the {}", kJoints[joint]),
+                                         "torque [N m]", runs, nullptr, torque)) {
             torques.push_back(std::move(plot));
         }
     }
@@ -205,10 +203,10 @@ void write_pictures(const fs::path& folder, const std::vector<TrackRun>& runs) {
 }  // namespace
 
 std::string track_table(const std::vector<TrackRun>& runs) {
-    std::string text = fmt::format(
-        "{:<9} {:<10} {:>6} | {:>17} | {:>15} | {:>17} | {:>17} | {:>8} | {:>6}\n", "law",
-        "control", "stable", "tip mm rms  worst", "asked rms worst", "joint deg   worst",
-        "elbow asked  body", "torque", "x real");
+    std::string text =
+        fmt::format("{:<9} {:<10} {:>6} | {:>17} | {:>15} | {:>17} | {:>17} | {:>8} | {:>6}\n",
+                    "law", "control", "stable", "tip mm rms  worst", "asked rms worst",
+                    "joint deg   worst", "elbow asked  body", "torque", "x real");
     for (const TrackRun& r : runs) {
         text += fmt::format(
             "{:<9} {:<10} {:>6} | {:>8.3f} {:>8.3f} | {:>7.3f} {:>7.2f} | {:>8.4f} {:>8.3f} | "
@@ -227,15 +225,17 @@ void write_track_report(const fs::path& folder, const LoadedClip& clip, const Tr
     fs::create_directories(folder);
     std::string report;
     for (const std::string& remark : clip.report) report += remark + '\n';
-    report += fmt::format("steps of {:.3g} ms; gains: ours {:.3g} Hz, damping {:.3g}; the papers' "
-                          "{:.3g} Hz; masses wrong by {:.0f} %\n\n",
-                          1e3 / options.rate, options.frequency, options.damping,
-                          options.paper_frequency, 100.0 * options.mass_error);
+    report += fmt::format(
+        "steps of {:.3g} ms; gains: ours {:.3g} Hz, damping {:.3g}; the papers' "
+        "{:.3g} Hz; masses wrong by {:.0f} %\n\n",
+        1e3 / options.rate, options.frequency, options.damping, options.paper_frequency,
+        100.0 * options.mass_error);
     report += track_table(runs);
-    report += "\ntip: of the body against the one captured; asked: of what inverse kinematics asks\n"
-              "for against the one captured; joint: all 19, of the body against what was asked for;\n"
-              "elbow: flexion asked for, and of the body, against the one captured, RMS degrees;\n"
-              "torque: the largest of an arm's joint, N m; x real: times real time.\n";
+    report +=
+        "\ntip: of the body against the one captured; asked: of what inverse kinematics asks\n"
+        "for against the one captured; joint: all 19, of the body against what was asked for;\n"
+        "elbow: flexion asked for, and of the body, against the one captured, RMS degrees;\n"
+        "torque: the largest of an arm's joint, N m; x real: times real time.\n";
     write(folder / "report.txt", report);
     write(folder / "summary.csv", summary_csv(runs));
     for (const TrackRun& run : runs) {

@@ -90,8 +90,7 @@ class Tracker {
         const body::Posture& asked = simulation_.posture_asked();
         const auto relative = [&](int i) {
             const int parent = simulation_.skeleton().segments[i].parent;
-            return body::Quaternion(actual.orientation[parent].conjugate() *
-                                    actual.orientation[i]);
+            return body::Quaternion(actual.orientation[parent].conjugate() * actual.orientation[i]);
         };
         for (int i = 1; i < simulation_.skeleton().size(); ++i) {
             const body::Quaternion q = relative(i);

@@ -18,13 +18,13 @@ struct TrackControl {
 };
 
 struct TrackOptions {
-    double rate = 1000.0;        ///< steps a second [Hz]
-    double frequency = 20.0;     ///< gain of our law, all joints [Hz]
-    double damping = 1.0;        ///< of it
-    double paper_frequency = 5.0;  ///< gain of the papers' law, all joints [Hz]
-    double mass_error = 0.0;     ///< of the simulated masses against those reckoned with, a share
-    double start = 0.0;          ///< of the part of the clip [s]
-    double seconds = 1e9;        ///< at most so much of it
+    double rate = 1000.0;           ///< steps a second [Hz]
+    double frequency = 60.0;        ///< gain of our law, all joints [Hz]
+    double damping = 1.0;           ///< of it
+    double paper_frequency = 20.0;  ///< gain of the papers' law, all joints [Hz]
+    double mass_error = 0.0;  ///< of the simulated masses against those reckoned with, a share
+    double start = 0.0;       ///< of the part of the clip [s]
+    double seconds = 1e9;     ///< at most so much of it
 };
 
 /// Root of the mean of squares, and the largest.
@@ -53,15 +53,15 @@ struct TrackSample {
 struct TrackRun {
     TrackControl control;
     bool stable = true;
-    double lasted = 0.0;          ///< simulated [s]; less than asked for if it was not stable
-    ErrorSize tip;                ///< of the body's tips against those captured [m]
-    ErrorSize asked_tip;          ///< of the targets' tips against those captured [m]
-    ErrorSize joint;              ///< of all joints against those asked for [rad]
-    ErrorSize joint_captured;     ///< of all joints against those captured [rad]
-    ErrorSize elbow_asked;        ///< of the elbows' flexion asked for against that captured [rad]
-    ErrorSize elbow;              ///< of the body's [rad]
-    double worst_torque = 0.0;    ///< of any arm joint [N m]
-    double computing = 0.0;       ///< [s]
+    double lasted = 0.0;        ///< simulated [s]; less than asked for if it was not stable
+    ErrorSize tip;              ///< of the body's tips against those captured [m]
+    ErrorSize asked_tip;        ///< of the targets' tips against those captured [m]
+    ErrorSize joint;            ///< of all joints against those asked for [rad]
+    ErrorSize joint_captured;   ///< of all joints against those captured [rad]
+    ErrorSize elbow_asked;      ///< of the elbows' flexion asked for against that captured [rad]
+    ErrorSize elbow;            ///< of the body's [rad]
+    double worst_torque = 0.0;  ///< of any arm joint [N m]
+    double computing = 0.0;     ///< [s]
     std::vector<TrackSample> samples;  ///< at most 250 a second
 
     [[nodiscard]] double times_real_time() const { return lasted / computing; }

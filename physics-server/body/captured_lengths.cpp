@@ -13,7 +13,7 @@ namespace {
 
 /// The units that motion capture comes in [m]; the last is the CMU's, an inch by 0.45.
 constexpr std::array<double, 5> kUnits{1.0, 0.01, 0.001, 0.0254, 0.0254 / 0.45};
-constexpr double kUsualStature = 1.7;  // [m]
+constexpr double kUsualStature = 1.7;    // [m]
 constexpr double kBodyMassIndex = 24.5;  // [kg/m^2]
 /// A length is believed if it is between these shares of what the stature suggests.
 constexpr double kShortest = 0.4;

@@ -1,4 +1,5 @@
-// The body that a captured skeleton belongs to: its unit of length, its limbs, its stature and mass.
+// The body that a captured skeleton belongs to: its unit of length, its limbs, its stature and
+// mass.
 //
 // Masses, centres and inertias then follow from anthropometry (skeleton.hpp) with these lengths.
 #pragma once

@@ -27,8 +27,8 @@ class CapturedPose {
     [[nodiscard]] int joint(const std::string& segment) const;
     [[nodiscard]] const Quaternion& turn(int joint) const { return turn_[joint]; }
 
-    /// From the joint of one segment to that of another; nothing if either is not matched or both are
-    /// in the same place.
+    /// From the joint of one segment to that of another; nothing if either is not matched or both
+    /// are in the same place.
     [[nodiscard]] std::optional<Vector3> line(const std::string& from, const std::string& to) const;
     /// From a segment's joint to the mean of those that hang on it; nothing if none does.
     [[nodiscard]] std::optional<Vector3> to_children(const std::string& segment) const;

@@ -60,7 +60,7 @@ Vector3 ClipFollower::tip(double t, Hand hand, const Placement& placement) const
 }
 
 ArmTargets ClipFollower::targets(double t) const {
-    posture(t, posture_, placement_);
+    if (!clip_->has_own_tips()) posture(t, posture_, placement_);
     std::array<double, 2> heights{};
     const double inside = std::min(std::max(t, 0.0), clip_->duration());
     grip_heights_.at(inside, heights);

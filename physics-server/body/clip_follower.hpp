@@ -13,8 +13,8 @@
 
 namespace percussionist::body {
 
-/// What of a motion is followed: its joints (the papers' inverse dynamics alone), or its tips (their
-/// hybrid of inverse kinematics and inverse dynamics).
+/// What of a motion is followed: its joints (the papers' inverse dynamics alone), or its tips
+/// (their hybrid of inverse kinematics and inverse dynamics).
 enum class Tracking { joints, tips };
 
 class ClipFollower {
@@ -33,8 +33,8 @@ class ClipFollower {
   private:
     std::shared_ptr<const Clip> clip_;
     const Skeleton& skeleton_;
-    Spline grip_heights_;  ///< left, right
-    mutable Posture posture_;      ///< memory for targets()
+    Spline grip_heights_;      ///< left, right
+    mutable Posture posture_;  ///< memory for targets()
     mutable Placement placement_;
 };
 

@@ -14,11 +14,11 @@
 namespace percussionist::body {
 
 struct StrokeShape {
-    double rise = 0.40;       ///< of the tip above the head, before the stroke [m]
-    double peak_down = 2.4;   ///< largest speed down [m/s]
-    double impact = 1.9;      ///< speed when it strikes [m/s]
-    double peak_up = 2.4;     ///< largest speed up, after the stroke [m/s]
-    double rebound = 0.43;    ///< height it comes back to [m]
+    double rise = 0.40;      ///< of the tip above the head, before the stroke [m]
+    double peak_down = 2.4;  ///< largest speed down [m/s]
+    double impact = 1.9;     ///< speed when it strikes [m/s]
+    double peak_up = 2.4;    ///< largest speed up, after the stroke [m/s]
+    double rebound = 0.43;   ///< height it comes back to [m]
 };
 
 enum class Grip { french, german };
@@ -36,8 +36,8 @@ const std::vector<Gesture>& built_in_gestures();
 /// Null if there is none of that name.
 const Gesture* find_gesture(const std::vector<Gesture>& gestures, const std::string& name);
 
-/// Where on the head: share of its radius by name (centre, third, rim); throws std::invalid_argument
-/// naming what there is.
+/// Where on the head: share of its radius by name (centre, third, rim); throws
+/// std::invalid_argument naming what there is.
 double drum_position(const std::string& name);
 
 }  // namespace percussionist::body

@@ -69,8 +69,7 @@ Vector3 InverseKinematics::grip(const Placement& placement, Hand hand) const {
     return placement.joint[stick_[static_cast<int>(hand)]];
 }
 
-double InverseKinematics::solve(const ArmTargets& targets, Posture& posture,
-                                Placement& placement) {
+double InverseKinematics::solve(const ArmTargets& targets, Posture& posture, Placement& placement) {
     forward_kinematics(skeleton_, posture, placement);
     for (int i = 0; i < options_.iterations; ++i) iterate(targets, posture, placement);
     double worst = 0.0;
@@ -97,8 +96,8 @@ InverseKinematics::Tasks InverseKinematics::errors(const ArmTargets& targets,
     for (const Hand hand : kHands) {
         const int h = static_cast<int>(hand);
         error.segment<3>(4 * h) = targets[h].tip - placement.tip(skeleton_, hand);
-        error[4 * h + 3] = options_.grip_weight *
-                           (targets[h].grip_height - grip(placement, hand).z());
+        error[4 * h + 3] =
+            options_.grip_weight * (targets[h].grip_height - grip(placement, hand).z());
     }
     // A Jacobian tells nothing of what is far: distant targets are approached in steps.
     for (int h = 0; h < 2; ++h) {
@@ -134,8 +133,8 @@ void InverseKinematics::fill_jacobian(const Placement& placement) {
 void InverseKinematics::fill_pull(const Posture& posture) {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         const Column& c = columns_[k];
-        const Vector3 away = linear::quaternion_log(rest_.joints[c.segment].conjugate() *
-                                                    posture.joints[c.segment]);
+        const Vector3 away =
+            linear::quaternion_log(rest_.joints[c.segment].conjugate() * posture.joints[c.segment]);
         for (int a = 0; a < 3; ++a) {
             const auto column = static_cast<Eigen::Index>(3 * k) + a;
             pull_[column] = c.weight[a] > 0.0 ? -options_.rest_pull * away[a] : 0.0;
@@ -189,8 +188,7 @@ void InverseKinematics::turn(Posture& posture) const {
     }
 }
 
-void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture,
-                                Placement& placement) {
+void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Placement& placement) {
     fill_jacobian(placement);
     fill_pull(posture);
     const Tasks error = errors(targets, placement);
@@ -214,8 +212,8 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture,
     forward_kinematics(skeleton_, posture, placement);
 }
 
-void InverseKinematics::lean(const Tasks& wish, const Placement& placement,
-                             const Posture& posture, Posture& target) {
+void InverseKinematics::lean(const Tasks& wish, const Placement& placement, const Posture& posture,
+                             Posture& target) {
     fill_jacobian(placement);
     pull_.setZero();
     step(wish, placement);

@@ -1,8 +1,8 @@
 // Inverse kinematics: from the places of both stick tips to joint targets.
 //
 // Each arm has two tasks: its tip's place (x y z) and, softer, the height of its grip, so that the
-// stick swings about a hand that moves smoothly. With the Jacobian J of the tasks, a diagonal W that
-// says how readily each joint moves, and a pull z towards a rest posture, a step is
+// stick swings about a hand that moves smoothly. With the Jacobian J of the tasks, a diagonal W
+// that says how readily each joint moves, and a pull z towards a rest posture, a step is
 //     dq = A (e - J z) + z
 // where A, which turns a wish of the tips into one of the joints, is by choice
 //     damped least squares    W J^T (J W J^T + lambda^2)^-1          (Wampler 1986)
@@ -36,10 +36,10 @@ enum class Inverse { damped_least_squares, transpose, learnt };
 struct InverseKinematicsOptions {
     Inverse inverse = Inverse::damped_least_squares;
     int iterations = 3;
-    double damping = 0.002;      ///< lambda, of the tip tasks [m]
-    double grip_weight = 0.3;    ///< of the grip's height against the tip's place
-    double rest_pull = 0.002;    ///< share of the way to rest, each iteration
-    double largest_turn = 0.3;   ///< of a joint in one iteration [rad]
+    double damping = 0.002;     ///< lambda, of the tip tasks [m]
+    double grip_weight = 0.3;   ///< of the grip's height against the tip's place
+    double rest_pull = 0.002;   ///< share of the way to rest, each iteration
+    double largest_turn = 0.3;  ///< of a joint in one iteration [rad]
 };
 
 class InverseKinematics {
@@ -51,8 +51,8 @@ class InverseKinematics {
     /// A joint that it may turn.
     struct Column {
         int segment;
-        Vector3 weight;                ///< readiness of rotation about its own x y z, 0..1
-        std::array<bool, 2> moves;     ///< whether it moves the tip of each hand
+        Vector3 weight;             ///< readiness of rotation about its own x y z, 0..1
+        std::array<bool, 2> moves;  ///< whether it moves the tip of each hand
         std::array<bool, 2> moves_grip;
     };
 

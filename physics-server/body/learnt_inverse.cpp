@@ -9,10 +9,10 @@ namespace {
 
 constexpr int kPostures = 48;
 constexpr int kBabbles = 160;
-constexpr double kSpread = 0.5;      ///< of the postures about rest, of a joint that is ready [rad]
-constexpr double kBabble = 0.02;     ///< [rad]
-constexpr double kRidge = 2e-6;      ///< against directions in which nothing moved [m^2]
-constexpr double kNear = 0.12;       ///< width of the kernel [m]
+constexpr double kSpread = 0.5;   ///< of the postures about rest, of a joint that is ready [rad]
+constexpr double kBabble = 0.02;  ///< [rad]
+constexpr double kRidge = 2e-6;   ///< against directions in which nothing moved [m^2]
+constexpr double kNear = 0.12;    ///< width of the kernel [m]
 /// A map that is not quite right is trusted with so much of the way.
 constexpr double kTrust = 0.8;
 
@@ -78,8 +78,8 @@ void LearntInverse::learn_about(const InverseKinematics& kinematics, const Postu
     }
 }
 
-void LearntInverse::step(const InverseKinematics::Tasks& at,
-                         const InverseKinematics::Tasks& wanted, Eigen::VectorXd& turns) const {
+void LearntInverse::step(const InverseKinematics::Tasks& at, const InverseKinematics::Tasks& wanted,
+                         Eigen::VectorXd& turns) const {
     turns.setZero();
     for (int h = 0; h < 2; ++h) {
         const Eigen::Vector4d x = kTrust * wanted.segment<4>(4 * h);

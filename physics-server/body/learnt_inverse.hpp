@@ -1,11 +1,12 @@
 // Inverse kinematics that a body learns of itself, without its Jacobian.
 //
-// It babbles: about each of some postures it makes small random turns of its joints, d_theta, and sees
-// what they do to the tasks, d_x. There the inverse is the linear map that tells the turns from what
-// they did best, A = sum(d_theta d_x^T) (sum(d_x d_x^T) + ridge)^-1. In between, the maps are weighed by
-// how near the tasks are to those they were learnt at, by a Gaussian kernel: non-parametric learning
-// as in Gibet and Marteau 2003, "Expressive gesture animation based on non parametric learning of
-// sensory-motor models". What a map gets wrong the next iteration sees and mends.
+// It babbles: about each of some postures it makes small random turns of its joints, d_theta, and
+// sees what they do to the tasks, d_x. There the inverse is the linear map that tells the turns
+// from what they did best, A = sum(d_theta d_x^T) (sum(d_x d_x^T) + ridge)^-1. In between, the maps
+// are weighed by how near the tasks are to those they were learnt at, by a Gaussian kernel:
+// non-parametric learning as in Gibet and Marteau 2003, "Expressive gesture animation based on non
+// parametric learning of sensory-motor models". What a map gets wrong the next iteration sees and
+// mends.
 //
 // The random numbers are always the same. Learning allocates and takes some 50 ms; step() is pure.
 #pragma once

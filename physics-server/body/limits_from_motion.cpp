@@ -28,13 +28,14 @@ double percentile(std::vector<double> values, double share) {
 
 /// Euler angles z y x over time, made continuous.
 std::vector<Vector3> angles_of(const std::vector<Quaternion>& rotations) {
-    if (rotations.empty()) throw std::invalid_argument("joint limits: expected rotations, got none");
+    if (rotations.empty())
+        throw std::invalid_argument("joint limits: expected rotations, got none");
     std::vector<Vector3> all;
     for (const Quaternion& q : rotations) {
         Vector3 angles = euler_zyx(q);
         for (int a = 0; a < 3 && !all.empty(); ++a) {
-            angles[a] = all.back()[a] +
-                        std::remainder(angles[a] - all.back()[a], 2.0 * std::numbers::pi);
+            angles[a] =
+                all.back()[a] + std::remainder(angles[a] - all.back()[a], 2.0 * std::numbers::pi);
         }
         all.push_back(angles);
     }
@@ -61,7 +62,8 @@ JointLimits euler_limits(const std::vector<Quaternion>& rotations) {
 }
 
 JointLimits ellipsoid_limits(const std::vector<Quaternion>& rotations) {
-    if (rotations.empty()) throw std::invalid_argument("joint limits: expected rotations, got none");
+    if (rotations.empty())
+        throw std::invalid_argument("joint limits: expected rotations, got none");
     JointLimits limits;
     limits.shape = LimitShape::ellipsoid;
     limits.mean = mean_rotation(rotations);
@@ -69,8 +71,7 @@ JointLimits ellipsoid_limits(const std::vector<Quaternion>& rotations) {
     Eigen::MatrixX3d tangent(n, 3);
     for (Eigen::Index i = 0; i < n; ++i) {
         // The logarithm takes q and -q for the same, which is the flip of signs.
-        tangent.row(i) =
-            linear::quaternion_log(limits.mean.conjugate() * rotations[i]).transpose();
+        tangent.row(i) = linear::quaternion_log(limits.mean.conjugate() * rotations[i]).transpose();
     }
     // The right singular vectors of all v, and their singular values squared.
     const Eigen::SelfAdjointEigenSolver<Matrix3> svd(

@@ -18,8 +18,8 @@ constexpr double kNoise = 0.004;
 /// A path that stays elsewhere for so long is there [s].
 constexpr double kBelieved = 0.12;
 /// A single sample this far from the curve through its neighbours is a glitch [m/s times the time
-/// between samples]: an impact at 5 m/s that throws the stick back at 3, the sharpest bend of a path,
-/// is 2.7 m/s away from it.
+/// between samples]: an impact at 5 m/s that throws the stick back at 3, the sharpest bend of a
+/// path, is 2.7 m/s away from it.
 constexpr double kSpike = 5.0;
 
 constexpr double kFastestJoint = 60.0;  ///< [rad/s]

@@ -23,7 +23,8 @@ Line across(const Line& a, const Line& b) {
     return a->cross(*b);
 }
 
-/// The bone and the line across it that a segment has in one frame; the second weighs by its length.
+/// The bone and the line across it that a segment has in one frame; the second weighs by its
+/// length.
 struct Anatomy {
     Line bone, lateral;
 };

@@ -77,11 +77,10 @@ class Builder {
                                 l_.middle_trunk, {0.20, 0.30, 0.17}, 200, 0.03, spine());
         Share chest_share = kUpperTrunk;
         chest_share.mass -= 2 * kClavicleMass;
-        const int chest =
-            add("chest", "thoracic", abdomen, {0, 0, l_.thoracic_height}, up, chest_share,
-                l_.upper_trunk, {0.22, 0.32, 0.24}, 200, 0.03, spine());
-        add("head", "neck", chest, {0, 0, l_.neck_height}, up, kHead, l_.head,
-            {0.18, 0.15, 0.24}, 50, 0, spine());
+        const int chest = add("chest", "thoracic", abdomen, {0, 0, l_.thoracic_height}, up,
+                              chest_share, l_.upper_trunk, {0.22, 0.32, 0.24}, 200, 0.03, spine());
+        add("head", "neck", chest, {0, 0, l_.neck_height}, up, kHead, l_.head, {0.18, 0.15, 0.24},
+            50, 0, spine());
         for (const Hand hand : {Hand::left, Hand::right}) {
             add_arm(hand, chest);
             add_leg(hand);

@@ -11,10 +11,10 @@ namespace percussionist::body {
 namespace {
 
 constexpr std::array<std::string_view, 21> kSegments{
-    "pelvis",          "abdomen",       "chest",         "neck",        "head",
-    "left_clavicle",   "left_upper_arm", "left_forearm", "left_hand",   "left_stick",
-    "left_thigh",      "left_shank",    "left_foot",     "right_clavicle", "right_upper_arm",
-    "right_forearm",   "right_hand",    "right_stick",   "right_thigh", "right_shank",
+    "pelvis",        "abdomen",        "chest",        "neck",           "head",
+    "left_clavicle", "left_upper_arm", "left_forearm", "left_hand",      "left_stick",
+    "left_thigh",    "left_shank",     "left_foot",    "right_clavicle", "right_upper_arm",
+    "right_forearm", "right_hand",     "right_stick",  "right_thigh",    "right_shank",
     "right_foot"};
 
 /// Small letters and digits only, from after the last colon.
@@ -50,9 +50,8 @@ std::string common_prefix(const std::vector<std::string>& names,
             const std::string root = plain(candidate);
             if (!name.ends_with(root) || name.size() == root.size()) continue;
             std::string prefix = name.substr(0, name.size() - root.size());
-            const auto sharing = std::count_if(names.begin(), names.end(), [&](const auto& n) {
-                return n.starts_with(prefix);
-            });
+            const auto sharing = std::count_if(
+                names.begin(), names.end(), [&](const auto& n) { return n.starts_with(prefix); });
             if (2 * sharing > static_cast<std::ptrdiff_t>(names.size())) return prefix;
         }
     }
@@ -78,8 +77,9 @@ SkeletonMap parse_skeleton_map(std::string_view text, std::string_view name) {
         if (line.find(':') == std::string_view::npos) fail("'segment: joint, joint'");
         const std::string segment(trim(take_until(line, ':')));
         if (std::find(kSegments.begin(), kSegments.end(), segment) == kSegments.end()) {
-            fail("a segment of the body (pelvis, abdomen, chest, neck, head; left_ or right_ "
-                 "clavicle, upper_arm, forearm, hand, stick, thigh, shank, foot)");
+            fail(
+                "a segment of the body (pelvis, abdomen, chest, neck, head; left_ or right_ "
+                "clavicle, upper_arm, forearm, hand, stick, thigh, shank, foot)");
         }
         std::vector<std::string>& names = map.names[segment];
         while (!line.empty()) {

@@ -1,10 +1,10 @@
 // Which joint of a captured skeleton moves which segment of ours.
 //
 // A map is a small text: a line a segment of ours, "left_forearm: LeftForeArm, LeftElbow", with the
-// names that joint may have, the first that is there counts; "#" begins a comment. Names are compared
-// without capitals, blanks and signs, and without what stands before a colon or before the root's own
-// name ("mixamorig:", "Bip01 "). Ready maps are in skeletons/ and built into the program; the one
-// that matches most is taken.
+// names that joint may have, the first that is there counts; "#" begins a comment. Names are
+// compared without capitals, blanks and signs, and without what stands before a colon or before the
+// root's own name ("mixamorig:", "Bip01 "). Ready maps are in skeletons/ and built into the
+// program; the one that matches most is taken.
 #pragma once
 
 #include <map>

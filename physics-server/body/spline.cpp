@@ -65,8 +65,8 @@ void Spline::at(double t, std::span<double> out) const {
         const double m1 = m[dimension_ + d];
         out[d] = a * v[d] + b * v1 + ca * m[d] + cb * m1;
         if (beyond != 0.0) {
-            const double slope = (v1 - v[d]) / h + h / 6.0 * ((3.0 * b * b - 1.0) * m1 -
-                                                              (3.0 * a * a - 1.0) * m[d]);
+            const double slope =
+                (v1 - v[d]) / h + h / 6.0 * ((3.0 * b * b - 1.0) * m1 - (3.0 * a * a - 1.0) * m[d]);
             out[d] += beyond * slope;
         }
     }

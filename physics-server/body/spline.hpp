@@ -1,8 +1,9 @@
 // A smooth curve through samples: the natural cubic spline, in any number of dimensions.
 //
-// Twice continuously differentiable, which inverse dynamics needs of a target; exact at the samples,
-// which may lie at any distances in time (gaps are bridged). Before the first and after the last
-// sample it goes on straight, at constant speed. de Boor 2001, "A practical guide to splines", ch. 4.
+// Twice continuously differentiable, which inverse dynamics needs of a target; exact at the
+// samples, which may lie at any distances in time (gaps are bridged). Before the first and after
+// the last sample it goes on straight, at constant speed. de Boor 2001, "A practical guide to
+// splines", ch. 4.
 //
 // Building allocates; at() is pure and real-time safe.
 #pragma once

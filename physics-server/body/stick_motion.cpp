@@ -73,7 +73,8 @@ class StickMotionMaker {
         if (!path) return;
         const Repairs repairs = repair(*path);
         if (path->samples.size() < 2) {
-            throw std::invalid_argument(path->name + ": expected a path of a stick, got jumps alone");
+            throw std::invalid_argument(path->name +
+                                        ": expected a path of a stick, got jumps alone");
         }
         const std::string what = repairs.describe();
         if (!what.empty()) motion_.remarks.push_back(path->name + ": " + what);
@@ -87,8 +88,8 @@ class StickMotionMaker {
             Vector3 left = strike_place(*paths[0]) - strike_place(*paths[1]);
             left.z() = 0.0;
             if (left.norm() > kNearest && left.norm() < kFarthest) {
-                turn = Quaternion(Eigen::AngleAxisd(
-                    std::atan2(left.x(), left.y()), Vector3::UnitZ()));
+                turn =
+                    Quaternion(Eigen::AngleAxisd(std::atan2(left.x(), left.y()), Vector3::UnitZ()));
             }
         }
         for (int h = 0; h < 2; ++h) {

@@ -2,9 +2,9 @@
 // postures.
 //
 // Recordings have an origin and a direction of their own. Where a stick strikes (the middle of its
-// lowest tenth) comes to where the body strikes; if both sticks were recorded, 5 to 60 cm apart, they
-// are turned about the vertical so that the left one is to the left. A stick that was not recorded
-// waits.
+// lowest tenth) comes to where the body strikes; if both sticks were recorded, 5 to 60 cm apart,
+// they are turned about the vertical so that the left one is to the left. A stick that was not
+// recorded waits.
 #pragma once
 
 #include <memory>
@@ -23,8 +23,8 @@ struct StickPlaces {
 
 struct StickMotion {
     std::shared_ptr<const Clip> clip;
-    double frame_time = 0.0;           ///< of the recording, the median [s]
-    double worst_reach = 0.0;          ///< farthest that the body's own tips stay from those recorded [m]
+    double frame_time = 0.0;   ///< of the recording, the median [s]
+    double worst_reach = 0.0;  ///< farthest that the body's own tips stay from those recorded [m]
     std::vector<std::string> remarks;  ///< repairs
 };
 

@@ -8,9 +8,9 @@ namespace percussionist::body {
 
 namespace {
 
-constexpr double kWindow = 0.40;        // [s]
+constexpr double kWindow = 0.40;         // [s]
 constexpr double kImpactWindow = 0.016;  // [s]
-constexpr double kApart = 0.25;         // [s]
+constexpr double kApart = 0.25;          // [s]
 /// A stroke falls into its low point and rises out of it at least so far within 60 ms [m], and lies
 /// in the lowest fifth of the motion.
 constexpr double kTurn = 0.02;

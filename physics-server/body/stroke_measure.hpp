@@ -1,8 +1,9 @@
-// The strokes in a recording of a tip's height, and the numbers of each: as built-in gestures have them.
+// The strokes in a recording of a tip's height, and the numbers of each: as built-in gestures have
+// them.
 //
-// A stroke is a low point at which the tip turns from falling to rising. Its rise is the highest point
-// of the 0.4 s before it, its rebound that of the 0.4 s after, both above the low point; speeds are
-// the largest in these times; the speed of the impact is the mean of the last 16 ms.
+// A stroke is a low point at which the tip turns from falling to rising. Its rise is the highest
+// point of the 0.4 s before it, its rebound that of the 0.4 s after, both above the low point;
+// speeds are the largest in these times; the speed of the impact is the mean of the last 16 ms.
 #pragma once
 
 #include <vector>

@@ -54,7 +54,7 @@ struct Aim {
     double height = 0.0;  ///< to raise the tip to, if there is time [m]
     Rebound rebound;
     /// Of a gesture: its raise, speeds and rebound; speed and height above are then not used.
-    std::optional<StrokeShape> shape;
+    std::optional<StrokeShape> shape = std::nullopt;
 };
 
 class StrokePath {

@@ -14,8 +14,9 @@ using linear::quaternion_log;
 
 namespace {
 
-/// Most that the papers' law may have, in units of the lighter side's inertia by the step (squared):
-/// an explicit spring is stable below 4, an explicit damper below 2, and joints are coupled.
+/// Most that the papers' law may have, in units of the lighter side's inertia by the step
+/// (squared): an explicit spring is stable below 4, an explicit damper below 2, and joints are
+/// coupled.
 constexpr double kMostStiffness = 0.5;
 constexpr double kMostDamping = 0.5;
 /// Beyond its limits a joint is pushed back at this frequency [Hz].

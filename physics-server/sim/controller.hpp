@@ -9,8 +9,9 @@
 // by a stop that no torque limit weakens.
 //
 // The law of the papers (Bouenard, Gibet, Wanderley 2009, equation 1), tau = ks e - kd w applied
-// explicitly, is kept to compare with. Applied so it is stable only up to gains that the lighter side
-// of each joint stands in a step (a clavicle's twist has 1e-4 kg m^2); beyond, they are held there.
+// explicitly, is kept to compare with. Applied so it is stable only up to gains that the lighter
+// side of each joint stands in a step (a clavicle's twist has 1e-4 kg m^2); beyond, they are held
+// there.
 #pragma once
 
 #include <array>
@@ -26,7 +27,7 @@ enum class Law { implicit, paper };
 
 struct ControlOptions {
     Law law = Law::implicit;
-    double frequency = 20.0;          ///< of every joint but the grip [Hz]
+    double frequency = 20.0;         ///< of every joint but the grip [Hz]
     double grip_frequency = 20.0;    ///< of the grip in free air [Hz]
     double contact_frequency = 6.0;  ///< of the grip about a contact: a loose hand [Hz]
     double damping = 1.0;            ///< of every joint; 1: critical
@@ -90,7 +91,7 @@ class Controller {
     std::vector<double> resistance_;
     /// Frequencies and damping of joints that have their own; 0: they have not.
     std::vector<double> own_frequency_, own_damping_;
-    std::vector<Vector3> added_;  ///< torques of the last step that are not the motors'
+    std::vector<Vector3> added_;     ///< torques of the last step that are not the motors'
     std::vector<int> hand_of_grip_;  ///< -1 for a joint that is no grip
     body::Acceleration acceleration_;
     std::vector<Vector3> torques_;  ///< forecast, world frame of the target

@@ -64,9 +64,8 @@ void OdeBody::set_velocities(const body::Placement& before, const body::Placemen
                              double time) {
     for (int i = 1; i < skeleton_.size(); ++i) {
         const Vector3 v = (after.com[i] - before.com[i]) / time;
-        const Vector3 w = linear::quaternion_log(after.orientation[i] *
-                                                 before.orientation[i].conjugate()) /
-                          time;
+        const Vector3 w =
+            linear::quaternion_log(after.orientation[i] * before.orientation[i].conjugate()) / time;
         dBodySetLinearVel(segments_[i], v.x(), v.y(), v.z());
         dBodySetAngularVel(segments_[i], w.x(), w.y(), w.z());
     }

@@ -38,6 +38,14 @@ constexpr double kThumbsUp = 1.2;
 /// In which time targets go over from one motion to another [s].
 constexpr double kFade = 0.5;
 
+/// Short steps need fewer iterations to follow.
+body::InverseKinematicsOptions kinematics_options(double rate) {
+    constexpr double kShortSteps = 2000.0;
+    body::InverseKinematicsOptions o;
+    if (rate >= kShortSteps) o.iterations = 1;
+    return o;
+}
+
 double checked_rate(double rate) {
     if (!(rate >= 250.0 && rate <= 4000.0)) {
         throw std::invalid_argument("simulation: rate: expected 250 to 4000 Hz, got " +
@@ -52,7 +60,7 @@ Simulation::Simulation(const SimulationOptions& options)
     : options_(options),
       h_(1.0 / checked_rate(options.rate)),
       skeleton_(body::make_skeleton(options.person)),
-      kinematics_(skeleton_),
+      kinematics_(skeleton_, kinematics_options(options.rate)),
       tip_mass_{body::TipMass(skeleton_, Hand::left), body::TipMass(skeleton_, Hand::right)},
       target_(skeleton_),
       solution_(skeleton_),

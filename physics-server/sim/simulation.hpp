@@ -81,8 +81,8 @@ class Simulation {
     /// Gains, and the law: see Controller.
     Controller& controller() { return *controller_; }
     [[nodiscard]] const Controller& controller() const { return *controller_; }
-    /// The papers' law follows tips by leaning against the errors of the simulated ones, equation 1 closed
-    /// over the body: this much for an error as it comes (and more for one that lasts).
+    /// The papers' law follows tips by leaning against the errors of the simulated ones, equation 1
+    /// closed over the body: this much for an error as it comes (and more for one that lasts).
     void set_cartesian_gain(double gain) { cartesian_gain_ = gain; }
     /// Of the joint of one segment.
     void set_limits(int segment, const body::JointLimits& limits);
@@ -136,19 +136,19 @@ class Simulation {
     std::array<double, 2> last_impulse_{};
     Vector3 head_centre_;
     Target target_;
-    body::Posture solution_;              ///< of inverse kinematics
+    body::Posture solution_;  ///< of inverse kinematics
     body::Placement solved_, actual_;
     std::unique_ptr<body::ClipFollower> clip_;
-    double clip_start_ = 0.0;             ///< simulated time of its beginning [s]
+    double clip_start_ = 0.0;  ///< simulated time of its beginning [s]
     body::Tracking tracking_ = body::Tracking::tips;
     double cartesian_gain_ = 2.0;
     body::ArmTargets asked_, asked_next_;  ///< of the tips at time() and a step later
     body::InverseKinematics::Tasks off_for_long_ =
         body::InverseKinematics::Tasks::Zero();  ///< integral of the tips' errors [m s]
-    body::Posture wanted_;                ///< by inverse kinematics, before it is corrected
-    body::Posture strokes_rest_;          ///< to which strokes are pulled: the grip
-    body::Posture faded_from_;            ///< what was asked for when something else began to be
-    double fade_start_ = -1e9;            ///< when that was [s]
+    body::Posture wanted_;                       ///< by inverse kinematics, before it is corrected
+    body::Posture strokes_rest_;                 ///< to which strokes are pulled: the grip
+    body::Posture faded_from_;  ///< what was asked for when something else began to be
+    double fade_start_ = -1e9;  ///< when that was [s]
     std::vector<double> bare_;  ///< no resistance: the mass of the body alone
 };
 
