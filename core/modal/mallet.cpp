@@ -21,6 +21,13 @@ void require(bool good, const char* name, const char* expected, double value) {
     }
 }
 
+double power(double x, double exponent) noexcept {
+    if (exponent == 1.5) {
+        return x * std::sqrt(x);
+    }
+    return exponent == 2.0 ? x * x : std::pow(x, exponent);
+}
+
 struct Slope {
     double value;
     double derivative;
@@ -37,28 +44,115 @@ Slope mean_force(const Mallet& mallet, double d, double potential, double y) noe
         const double c2 = a * (a - 1) / 24;
         const double c4 = c2 * (a - 2) * (a - 3) / 80;
         const double e = bend * bend;
-        const double power = mallet.stiffness * std::pow(middle, a);
+        const double at_middle = mallet.stiffness * power(middle, a);
         const double series = 1 + e * (c2 + e * c4);
         const double bend_slope = (1 - 0.5 * bend) / middle;
         const double series_slope = bend * (2 * c2 + 4 * e * c4) * bend_slope;
-        return {power * series, power * (0.5 * a / middle * series + series_slope)};
+        return {at_middle * series, at_middle * (0.5 * a / middle * series + series_slope)};
     }
-    const double end_force = end > 0.0 ? mallet.stiffness * std::pow(end, a) : 0.0;
+    const double end_force = end > 0.0 ? mallet.stiffness * power(end, a) : 0.0;
     const double end_potential = end > 0.0 ? end_force * end / (a + 1) : 0.0;
     const double value = (end_potential - potential) / y;
     return {value, (end_force - value) / y};
 }
 
+/// atanh(e) / e - 1 and its derivative.
+Slope excess(double e) noexcept {
+    const double square = e * e;
+    if (square < 0.01) {
+        return {square * (1.0 / 3 + square * (1.0 / 5 + square * (1.0 / 7 + square * (1.0 / 9)))),
+                e * (2.0 / 3 + square * (4.0 / 5 + square * (6.0 / 7)))};
+    }
+    const double ratio = std::atanh(e) / e;
+    return {ratio - 1, (1 / (1 - square) - ratio) / e};
+}
+
+/// The header's damping and its derivative by y.
+Slope damping(const Mallet& mallet, const ContactStep& step, double y) noexcept {
+    const double slope = mallet.dissipation / step.duration;
+    const double p = 1 + slope * y;
+    if (!(p > 0.0)) {
+        return {0.0, 0.0};
+    }
+    const double start = mallet.dissipation * step.rate;
+    const double end = 2 * (p - 1) - start;  // mu v1
+    if (start == end || !(start * end >= 0.0 && start > -1.0)) {
+        return {p, slope};
+    }
+    if (end <= -1.0) {
+        return {0.0, 0.0};
+    }
+    const double e = (p - 1 - start) / p;
+    const Slope more = excess(e);
+    const double below = p - 1 - more.value;
+    const double value = p * (p - 1) / below;
+    const double below_slope = slope * (1 - more.derivative * (1 - e) / p);
+    return {value, (slope * (2 * p - 1) - value * below_slope) / below};
+}
+
 /// The whole law: discrete gradient times damping.
 Slope force_law(const Mallet& mallet, const ContactStep& step, double potential,
                 double y) noexcept {
-    const double rate = mallet.dissipation / step.duration;
-    const double damping = 1 + rate * y;
-    if (!(damping > 0.0)) {
+    const Slope damped = damping(mallet, step, y);
+    if (!(damped.value > 0.0)) {
         return {0.0, 0.0};
     }
     const Slope elastic = mean_force(mallet, step.compression, potential, y);
-    return {elastic.value * damping, elastic.derivative * damping + elastic.value * rate};
+    return {elastic.value * damped.value,
+            elastic.derivative * damped.value + elastic.value * damped.derivative};
+}
+
+/// Where the bodies' answer meets the law.
+double solve(const Mallet& mallet, const ContactStep& step, double guess) noexcept {
+    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+    const double free = step.free_change;
+    const double tolerance = kEpsilon * (std::abs(step.compression) + std::abs(free));
+    const double potential = contact_potential(mallet, step.compression);
+    double low = -std::numeric_limits<double>::infinity();
+    double high = free;
+    double y = std::min(free, free - step.compliance * guess);
+    for (int i = 0; i < kMostIterations; ++i) {
+        if (y == 0.0) {
+            y = 0.5 * tolerance;  // the quotient's one gap
+        }
+        const Slope law = force_law(mallet, step, potential, y);
+        const double missing = y - free + step.compliance * law.value;
+        (missing > 0.0 ? high : low) = y;
+        double next = y - missing / (1 + step.compliance * std::max(law.derivative, 0.0));
+        // Newton's error is squared by each step: what the next would add is below rounding.
+        if (!(std::abs(next - y) > std::max(tolerance, 1e-9 * std::abs(y)))) {
+            return law.value + law.derivative * (next - y);
+        }
+        if (!(next > low && next < high)) {
+            // Without a lower end yet: with less compression comes less force.
+            next = std::isinf(low) ? free - step.compliance * law.value : 0.5 * (low + high);
+        }
+        if (high - low <= tolerance) {
+            break;  // the law jumps here
+        }
+        y = next;
+    }
+    return (free - y) / step.compliance;
+}
+
+double pressing_force(const Mallet& mallet, const ContactStep& step, double guess) noexcept {
+    const double d = step.compression;
+    const double free = step.free_change;
+    // Pushing only ever opens the contact: what stays apart when free is not touching. False for
+    // NaN.
+    if (!((d > 0.0 || d + free > 0.0) && step.compliance > 0.0)) {
+        return 0.0;
+    }
+    double force = 0.0;
+    if (mallet.exponent == 1.0 && mallet.dissipation == 0.0 && d >= 0.0) {
+        force =
+            mallet.stiffness * (d + 0.5 * free) / (1 + 0.5 * step.compliance * mallet.stiffness);
+        if (d + free - step.compliance * force >= 0.0) {
+            return std::clamp(force, 0.0, kGreatestForce);
+        }
+    }
+    force = solve(mallet, step, guess);
+    return force > 0.0 ? std::min(force, kGreatestForce) : 0.0;
 }
 
 }  // namespace
@@ -72,44 +166,33 @@ void check(const Mallet& mallet) {
             mallet.exponent);
     require(std::isfinite(mallet.dissipation) && mallet.dissipation >= 0.0, "dissipation",
             "a number of 0 or more [s/m]", mallet.dissipation);
+    require(std::isfinite(mallet.stickiness) && mallet.stickiness >= 0.0, "stickiness",
+            "a number of 0 or more [N]", mallet.stickiness);
 }
 
 double contact_potential(const Mallet& mallet, double compression) noexcept {
     if (!(compression > 0.0)) {
         return 0.0;
     }
-    return mallet.stiffness * std::pow(compression, mallet.exponent) * compression /
+    return mallet.stiffness * power(compression, mallet.exponent) * compression /
            (mallet.exponent + 1);
 }
 
 double contact_force(const Mallet& mallet, const ContactStep& step, double guess) noexcept {
-    const double d = step.compression;
-    const double free = step.free_change;
-    // Pushing only ever opens the contact: what stays apart when free is not touching. False for
-    // NaN.
-    if (!((d > 0.0 || d + free > 0.0) && step.compliance > 0.0)) {
-        return 0.0;
+    const double force = pressing_force(mallet, step, guess);
+    if (!step.stuck || !(step.compliance > 0.0)) {
+        return force;
     }
-    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-    const double tolerance = kEpsilon * (std::abs(d) + std::abs(free));
-    const double potential = contact_potential(mallet, d);
-    double y = std::min(free, free - step.compliance * guess);
-    double force = 0.0;
-    for (int i = 0; i < kMostIterations; ++i) {
-        if (y == 0.0) {
-            y = 0.5 * tolerance;  // the quotient's one gap
-        }
-        const Slope law = force_law(mallet, step, potential, y);
-        force = law.value;
-        const double next = std::min(free, y - (y - free + step.compliance * law.value) /
-                                                   (1 + step.compliance * law.derivative));
-        const double moved = std::abs(next - y);
-        if (!(moved > tolerance)) {
-            break;
-        }
-        y = next;
+    if (!(step.free_change - step.compliance * force < 0.0)) {
+        return force;  // not parting
     }
-    return force > 0.0 ? std::min(force, kGreatestForce) : 0.0;
+    ContactStep pulled = step;
+    pulled.free_change += step.compliance * mallet.stickiness;
+    const double against = pressing_force(mallet, pulled, guess);
+    if (pulled.free_change - step.compliance * against <= 0.0) {
+        return against - mallet.stickiness;
+    }
+    return std::clamp(step.free_change / step.compliance, -mallet.stickiness, kGreatestForce);
 }
 
 }  // namespace percussionist::modal

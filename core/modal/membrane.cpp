@@ -1,10 +1,13 @@
 #include "core/modal/membrane.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <queue>
 #include <stdexcept>
 #include <string>
+
+#include "core/modal/bessel_table.hpp"
+#include "core/modal/root_search.hpp"
 
 namespace percussionist::modal {
 
@@ -12,56 +15,50 @@ namespace {
 
 using std::numbers::pi;
 
-double bessel_j(int m, double x) {
-    return std::cyl_bessel_j(static_cast<double>(m), x);
-}
-
-double bessel_j_derivative(int m, double x) {
-    return m == 0 ? -bessel_j(1, x) : 0.5 * (bessel_j(m - 1, x) - bessel_j(m + 1, x));
-}
-
-/// Zeros of J_m are more than 3 apart beyond the first, which lies above m: walk in steps that
-/// cannot skip two, then close in by bisection and polish by Newton.
-double next_zero(int m, double from) {
-    constexpr double kStep = 0.5;
-    double low = from;
-    const bool below = std::signbit(bessel_j(m, low));
-    while (std::signbit(bessel_j(m, low + kStep)) == below) {
-        low += kStep;
-    }
-    double high = low + kStep;
-    for (int i = 0; i < 4; ++i) {
-        const double middle = 0.5 * (low + high);
-        (std::signbit(bessel_j(m, middle)) == below ? low : high) = middle;
-    }
-    double x = 0.5 * (low + high);
-    for (int i = 0; i < 10; ++i) {
-        const double change = bessel_j(m, x) / bessel_j_derivative(m, x);
-        x -= change;
-        if (std::abs(change) < 1e-9 * x) {
-            break;  // its square is below rounding
-        }
-    }
-    return x;
-}
-
 /// Just past a zero of J_m, from where the next one is sought.
 constexpr double kPastZero = 0.1;
 
-void require_positive(double value, const char* name) {
-    if (!(std::isfinite(value) && value > 0.0)) {
+double next_zero(int m, double from) {
+    return next_root([m](double x) { return BesselTable::shared().j(m, x); }, from);
+}
+
+void require(bool good, const char* name, const char* expected, double value) {
+    if (!(good && std::isfinite(value))) {
         throw std::invalid_argument(std::string("membrane: ") + name +
-                                    " must be a finite number above 0, not " +
+                                    ": expected a finite number " + expected + ", got " +
                                     std::to_string(value));
     }
 }
 
-struct Candidate {
-    int m;
-    int n;
-    double zero;
-    bool operator>(const Candidate& other) const { return zero > other.zero; }
-};
+/// What a unit of area weighs, the air it moves included.
+double loaded_density(const Membrane& membrane, double k, double w) {
+    const double below_sound = k * k - (w / kSoundSpeed) * (w / kSoundSpeed);
+    return below_sound > 0.0
+               ? membrane.surface_density + 2 * membrane.air_density / std::sqrt(below_sound)
+               : membrane.surface_density;
+}
+
+void tune_mode(RoundMode& mode, const Membrane& membrane) {
+    const double area = pi * membrane.radius * membrane.radius;
+    const double k = mode.root / membrane.radius;
+    const double stiffness = (membrane.tension + membrane.bending * k * k) * k * k;
+    double density = membrane.surface_density;
+    double w = std::sqrt(stiffness / density);
+    constexpr int kRounds = 12;  // each gains a digit or more
+    for (int i = 0; membrane.air_density > 0.0 && i < kRounds; ++i) {
+        density = loaded_density(membrane, k, w);
+        w = std::sqrt(stiffness / density);
+    }
+    mode.radius = membrane.radius;
+    mode.modal_mass = mode.mass_fraction * density * area;
+    if (membrane.cavity > 0.0 && mode.diameters == 0) {
+        // The mean of phi is 2 J_1(x) / x, and J_1(x)^2 the mean of its square.
+        const double swept = 2 * area * std::sqrt(mode.mass_fraction) / mode.root;
+        const double rho_c2 = membrane.air_density * kSoundSpeed * kSoundSpeed;
+        w = std::sqrt(w * w + rho_c2 * swept * swept / membrane.cavity / mode.modal_mass);
+    }
+    mode.angular_frequency = w;
+}
 
 }  // namespace
 
@@ -73,73 +70,47 @@ double bessel_zero(int m, int n) {
     return x;
 }
 
-double MembraneMode::shape(double r, double theta) const {
-    double value = 0.0;
-    evaluate_shapes({this, 1}, r, theta, {&value, 1});
-    return value;
-}
-
-void evaluate_shapes(std::span<const MembraneMode> modes, double r, double theta,
-                     std::span<double> values) {
-    double along_radius = 0.0;
-    for (std::size_t k = 0; k < modes.size(); ++k) {
-        const MembraneMode& mode = modes[k];
-        const bool second = k > 0 && mode.bessel_zero == modes[k - 1].bessel_zero;
-        if (!second) {
-            along_radius = r < mode.radius
-                               ? bessel_j(mode.diameters, mode.bessel_zero * r / mode.radius)
-                               : 0.0;
-        }
-        const double angle = mode.diameters * theta;
-        values[k] = along_radius * (mode.sine ? std::sin(angle) : std::cos(angle));
-    }
-}
-
 void check(const Membrane& membrane) {
-    require_positive(membrane.radius, "radius");
-    require_positive(membrane.tension, "tension");
-    require_positive(membrane.surface_density, "surface density");
+    require(membrane.radius > 0.0, "radius", "above 0 [m]", membrane.radius);
+    require(membrane.tension > 0.0, "tension", "above 0 [N/m]", membrane.tension);
+    require(membrane.surface_density > 0.0, "density", "above 0 [kg/m^2]",
+            membrane.surface_density);
+    require(membrane.bending >= 0.0, "bending", "of 0 or more [N m]", membrane.bending);
+    require(membrane.air_density >= 0.0, "air", "of 0 or more [kg/m^3]", membrane.air_density);
+    require(membrane.cavity >= 0.0, "cavity", "of 0 or more [m^3]", membrane.cavity);
+    require(membrane.stretch >= 0.0, "stretch", "of 0 or more [N/m]", membrane.stretch);
 }
 
-std::vector<MembraneMode> membrane_modes(const Membrane& membrane, std::size_t count) {
+std::vector<RoundMode> membrane_modes(const Membrane& membrane, std::size_t count) {
     check(membrane);
-    // For each m the next zero waits in the queue; j_m1 grows with m, so that a new m need only be
-    // opened once the one before has given its first.
-    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> waiting;
-    waiting.push({0, 1, bessel_zero(0, 1)});
-    std::vector<MembraneMode> modes;
+    count = std::min(count, kMostModes);
+    std::vector<RoundMode> modes;
     modes.reserve(count);
-    while (modes.size() < count) {
-        const Candidate c = waiting.top();
-        waiting.pop();
-        waiting.push({c.m, c.n + 1, next_zero(c.m, c.zero + kPastZero)});
-        if (c.n == 1) {
-            waiting.push({c.m + 1, 1, bessel_zero(c.m + 1, 1)});
-        }
-        const double slope = bessel_j(c.m + 1, c.zero);
-        MembraneMode mode;
-        mode.diameters = c.m;
-        mode.circles = c.n;
-        mode.bessel_zero = c.zero;
-        mode.mass_fraction = slope * slope * (c.m == 0 ? 1.0 : 0.5);
+    const auto take = [&](const Root& root) {
+        const double slope = BesselTable::shared().j(root.m + 1, root.x);
+        RoundMode mode;
+        mode.diameters = root.m;
+        mode.circles = root.n;
+        mode.root = root.x;
+        mode.mass_fraction = slope * slope * (root.m == 0 ? 1.0 : 0.5);
         modes.push_back(mode);
-        if (c.m > 0 && modes.size() < count) {
+        if (root.m > 0 && modes.size() < count) {
             mode.sine = true;
             modes.push_back(mode);
         }
-    }
+        return modes.size() < count;
+    };
+    in_order(
+        0, [](int m, double x) { return next_zero(m, x + kPastZero); },
+        [](int m) { return bessel_zero(m, 1); }, take);
     retune(modes, membrane);
     return modes;
 }
 
-void retune(std::vector<MembraneMode>& modes, const Membrane& membrane) {
+void retune(std::vector<RoundMode>& modes, const Membrane& membrane) {
     check(membrane);
-    const double wave_speed = std::sqrt(membrane.tension / membrane.surface_density);
-    const double mass = membrane.surface_density * pi * membrane.radius * membrane.radius;
     for (auto& mode : modes) {
-        mode.radius = membrane.radius;
-        mode.angular_frequency = mode.bessel_zero * wave_speed / membrane.radius;
-        mode.modal_mass = mode.mass_fraction * mass;
+        tune_mode(mode, membrane);
     }
 }
 

@@ -9,27 +9,6 @@ namespace percussionist::modal {
 
 namespace {
 
-/// From the head's velocity [m/s] to samples; see the header.
-constexpr double kGain = 0.39;
-/// A mallet this far above the head and rising does not come back [m].
-constexpr double kClear = 0.003;
-/// A hand that has not got its mallet back by then takes it away [s].
-constexpr double kLongestStroke = 0.05;
-/// Some 140 dB below a stroke of 2 m/s [J].
-constexpr double kInaudible = 1e-16;
-/// How often the energy is looked at [samples].
-constexpr std::size_t kCheckEvery = 1024;
-
-/// Straight up to 0.6, then bent towards 1.
-double limited(double sample) {
-    constexpr double kKnee = 0.6;
-    const double excess = std::abs(sample) - kKnee;
-    if (!(excess > 0.0)) {
-        return sample;
-    }
-    return std::copysign(kKnee + (1 - kKnee) * std::tanh(excess / (1 - kKnee)), sample);
-}
-
 void check_place(const char* what, double r, double theta) {
     if (!(std::isfinite(r) && r >= 0.0 && std::isfinite(theta))) {
         throw std::invalid_argument(std::string(what) +
@@ -38,12 +17,26 @@ void check_place(const char* what, double r, double theta) {
     }
 }
 
-void check_modes(std::size_t count) {
-    if (count < 1 || count > ModalDrum::kMaxModes) {
-        throw std::invalid_argument("modes: expected a number from 1 to " +
-                                    std::to_string(ModalDrum::kMaxModes) + ", got " +
-                                    std::to_string(count));
+void check_pickup(const Pickup& pickup) {
+    check_place("pickup", pickup.r, pickup.theta);
+    if (!(std::abs(pickup.elevation) <= 1.6)) {
+        throw std::invalid_argument("pickup: expected an elevation from -1.6 to 1.6 [rad], got " +
+                                    std::to_string(pickup.elevation));
     }
+}
+
+/// Of air, over 2 pi times a distance of 1 m: from integrals of acceleration to pressure.
+constexpr double kFarAway = 1.2 / (2 * 3.14159265358979);
+
+/// i^m, split into what is heard in phase and what a quarter of a period later.
+struct Phase {
+    double in_phase;
+    double later;
+};
+
+Phase power_of_i(int m) {
+    constexpr std::array<Phase, 4> kPowers{{{1, 0}, {0, -1}, {-1, 0}, {0, 1}}};
+    return kPowers[static_cast<std::size_t>(m) % 4];
 }
 
 }  // namespace
@@ -54,14 +47,21 @@ void check(const Stroke& stroke) {
                                     std::to_string(stroke.velocity));
     }
     check_place("stroke", stroke.r, stroke.theta);
+    if (!(std::abs(stroke.slide_x) <= 100.0 && std::abs(stroke.slide_y) <= 100.0)) {
+        throw std::invalid_argument("slide: expected at most 100 [m/s] each way");
+    }
     check(stroke.mallet);
 }
 
 ModalDrum::ModalDrum(const DrumSettings& settings, double sample_rate)
     : settings_(settings), sample_rate_(sample_rate) {
-    check_modes(settings.modes);
-    head_.emplace(settings.membrane, settings.decay, settings.modes, sample_rate);
-    set_pickup(settings.pickup_r, settings.pickup_theta);
+    if (settings.pickups.empty() || settings.pickups.size() > kMaxPickups) {
+        throw std::invalid_argument("pickups: expected 1 to " + std::to_string(kMaxPickups) +
+                                    ", got " + std::to_string(settings.pickups.size()));
+    }
+    std::for_each(settings.pickups.begin(), settings.pickups.end(), check_pickup);
+    head_.emplace(Resonator(settings.body, settings.loss, settings.choice), sample_rate);
+    read_pickups();
 }
 
 bool ModalDrum::strike(std::size_t offset, const Stroke& stroke) {
@@ -77,136 +77,50 @@ bool ModalDrum::strike(std::size_t offset, const Stroke& stroke) {
     return true;
 }
 
-template <class Sample>
-void ModalDrum::render(std::span<Sample> out) noexcept {
-    std::array<double, ModeBank::kMostAtOnce> velocities;
-    std::size_t done = 0;
-    std::size_t begun = 0;
-    while (done < out.size()) {
-        while (begun < waiting_ && queue_[begun].offset <= done) {
-            launch(queue_[begun++].stroke);
-        }
-        std::size_t length = out.size() - done;
-        if (begun < waiting_) {
-            length = std::min(length, queue_[begun].offset - done);
-        }
-        if (at_rest_) {
-            std::fill_n(out.data() + done, length, Sample(0));
-        } else {
-            length = run_length(length);
-            const std::span run_of(velocities.data(), length);
-            run(run_of);
-            std::transform(run_of.begin(), run_of.end(), out.data() + done, [](double velocity) {
-                return static_cast<Sample>(limited(kGain * velocity));
-            });
-        }
-        done += length;
+void ModalDrum::tune(const Body& body, const Loss& loss) {
+    land();
+    fade();
+    if (!head_->retune(body, loss)) {
+        head_->become(Resonator(body, loss, settings_.choice), 0);
     }
-    std::move(queue_.begin() + begun, queue_.begin() + waiting_, queue_.begin());
-    waiting_ -= begun;
-    for (std::size_t i = 0; i < waiting_; ++i) {
-        queue_[i].offset -= out.size();
-    }
+    settings_.body = body;
+    settings_.loss = loss;
+    read_pickups();
 }
 
-template void ModalDrum::render(std::span<float>) noexcept;
-template void ModalDrum::render(std::span<double>) noexcept;
-
-/// Looks at the energy at the same samples of the sound whatever the blocks.
-std::size_t ModalDrum::run_length(std::size_t most) const noexcept {
-    return active_ > 0 ? 1 : std::min({most, ModeBank::kMostAtOnce, kCheckEvery - since_check_});
+void ModalDrum::choose(const Choice& choice) {
+    Resonator resonator(settings_.body, settings_.loss, choice);
+    land();
+    fade();
+    head_->become(std::move(resonator),
+                  static_cast<long>(choice.skip) - static_cast<long>(settings_.choice.skip));
+    settings_.choice = choice;
+    read_pickups();
 }
 
-void ModalDrum::run(std::span<double> velocities) noexcept {
-    if (active_ > 0) {
-        head_->step({mallets_.data(), active_});
-        velocities[0] = head_->bank().velocity(pickup_);
-        release_mallets();
-        since_check_ = 0;
-        return;
+void ModalDrum::set_pickup(std::size_t i, const Pickup& pickup) {
+    check_pickup(pickup);
+    if (i >= settings_.pickups.size()) {
+        throw std::invalid_argument("pickup: expected one of " +
+                                    std::to_string(settings_.pickups.size()) + ", got " +
+                                    std::to_string(i + 1));
     }
-    head_->bank().ring(pickup_, velocities);
-    since_check_ += velocities.size();
-    if (since_check_ == kCheckEvery) {
-        since_check_ = 0;
-        head_->bank().rest_the_faint();
-        if (head_->bank().energy() < kInaudible) {
-            head_->rest();
-            at_rest_ = true;
-        }
-    }
+    land();
+    fade();
+    settings_.pickups[i] = pickup;
+    read_pickups();
 }
 
-void ModalDrum::launch(const Stroke& stroke) noexcept {
-    if (hand_t60_) {
-        hand_t60_.reset();
-        settle();
-    }
-    if (active_ == mallets_.size()) {
-        remove_mallet(0);
-    }
-    head_->place(active_, stroke.r, stroke.theta);
-    mallets_[active_] = {.mallet = stroke.mallet,
-                         .position = head_->displacement(active_),
-                         .velocity = -stroke.velocity};
-    ages_[active_] = 0;
-    ++active_;
-    at_rest_ = false;
+void ModalDrum::lay(std::size_t i, const Hand& hand) {
+    land();
+    head_->lay(i, hand);
+    coupled_ = head_->coupled();
+    since_check_ = 0;
 }
 
-void ModalDrum::release_mallets() noexcept {
-    const auto longest = static_cast<std::size_t>(kLongestStroke * sample_rate_);
-    for (std::size_t i = active_; i-- > 0;) {
-        const Striker& mallet = mallets_[i];
-        const bool clear =
-            mallet.velocity >= 0.0 && mallet.position - head_->displacement(i) > kClear;
-        if (clear || ++ages_[i] > longest) {
-            remove_mallet(i);
-        }
-    }
-}
-
-/// The others close up, the oldest first.
-void ModalDrum::remove_mallet(std::size_t i) noexcept {
-    for (; i + 1 < active_; ++i) {
-        head_->exchange(i, i + 1);
-        mallets_[i] = mallets_[i + 1];
-        ages_[i] = ages_[i + 1];
-    }
-    --active_;
-}
-
-void ModalDrum::tune(const Membrane& membrane, const Decay& decay) {
-    check(membrane);
-    check(decay);
-    settings_.membrane = membrane;
-    settings_.decay = decay;
-    const bool other_size = membrane.radius != head_->modes()[0].radius;
-    settle();
-    if (other_size) {
-        set_pickup(settings_.pickup_r, settings_.pickup_theta);
-    }
-}
-
-void ModalDrum::set_modes(std::size_t count) {
-    check_modes(count);
-    StruckMembrane other(settings_.membrane, settings_.decay, count, sample_rate_);
-    other.continue_from(*head_);
-    head_ = std::move(other);
-    active_ = 0;
-    settings_.modes = count;
-    set_pickup(settings_.pickup_r, settings_.pickup_theta);
-    settle();
-}
-
-void ModalDrum::set_pickup(double r, double theta) {
-    check_place("pickup", r, theta);
-    pickup_shapes_ = head_->shapes(r, theta);
-    pickup_.q.resize(pickup_shapes_.size());
-    pickup_.y.resize(pickup_shapes_.size());
-    head_->bank().set_weights(pickup_shapes_, pickup_);
-    settings_.pickup_r = r;
-    settings_.pickup_theta = theta;
+void ModalDrum::force_at(double r, double theta) {
+    land();
+    head_->place_force(r, theta);
 }
 
 void ModalDrum::mute(double t60) {
@@ -214,8 +128,10 @@ void ModalDrum::mute(double t60) {
         throw std::invalid_argument("mute: expected a time above 0 [s], got " +
                                     std::to_string(t60));
     }
-    hand_t60_ = t60;
-    settle();
+    land();
+    mute_t60_ = t60;
+    head_->damp(loss_of_t60(t60));
+    weigh_pickups();
 }
 
 void ModalDrum::reset() noexcept {
@@ -224,16 +140,72 @@ void ModalDrum::reset() noexcept {
     active_ = 0;
     waiting_ = 0;
     since_check_ = 0;
+    ahead_size_ = heard_ = 0;
+    faded_ = kChunk;
+    coupled_ = false;
 }
 
-void ModalDrum::settle() {
-    Decay decay = settings_.decay;
-    if (hand_t60_) {
-        decay.t60_low = std::min(decay.t60_low, *hand_t60_);
-        decay.t60_high = std::min(decay.t60_high, *hand_t60_);
+/// Before what is heard changes at once: what would have been heard fades out.
+void ModalDrum::fade() noexcept {
+    if (at_rest_) {
+        return;
     }
-    head_->tune(settings_.membrane, decay);
-    head_->bank().set_weights(pickup_shapes_, pickup_);
+    std::array<double, kChunk> old{};
+    for (std::size_t p = 0; p < settings_.pickups.size(); ++p) {
+        head_->bank().ring(ears_[p].weights, old);
+        for (std::size_t i = faded_; i < kChunk; ++i) {
+            // Within a fade: about where it was going.
+            const double share = static_cast<double>(i) / kChunk;
+            old[i - faded_] = share * old[i - faded_] + (1 - share) * fading_[p][i];
+        }
+        fading_[p] = old;
+    }
+    faded_ = 0;
+}
+
+/// Where in each mode the pickups hear, for the modes and pickups as they are.
+void ModalDrum::read_pickups() {
+    const auto& bank = head_->bank();
+    const auto modes = head_->modes();
+    for (std::size_t p = 0; p < settings_.pickups.size(); ++p) {
+        const Pickup& pickup = settings_.pickups[p];
+        auto& ear = ears_[p];
+        const bool afar = pickup.hears == Pickup::Hears::pressure && !modes.empty();
+        ear.weights.q.assign(bank.padded(), 0.0);
+        ear.weights.y.assign(bank.padded(), 0.0);
+        ear.weights.force.assign(afar ? bank.padded() : 0, 0.0);
+        ear.later.assign(afar ? bank.padded() : 0, 0.0);
+        ear.shape = head_->shapes(pickup.r, pickup.theta);
+        const auto* given = std::get_if<GivenModes>(&head_->resonator().body());
+        if (given && pickup.hears == Pickup::Hears::pressure) {
+            heard_weights(*given, ear.shape);
+        }
+        for (std::size_t k = 0; afar && k < modes.size(); ++k) {
+            const Phase phase = power_of_i(modes[k].diameters);
+            const double far = kFarAway * radiation(modes[k], pickup.elevation, pickup.theta);
+            ear.shape[k] = phase.in_phase * far;
+            ear.later[k] = phase.later * far;
+        }
+    }
+    weigh_pickups();
+}
+
+/// How much of what a mode does they hear, for its frequency and loss.
+void ModalDrum::weigh_pickups() noexcept {
+    const auto& bank = head_->bank();
+    for (std::size_t p = 0; p < settings_.pickups.size(); ++p) {
+        auto& ear = ears_[p];
+        if (!ear.later.empty()) {
+            bank.read_acceleration(ear.shape, ear.later, ear.weights);
+        } else if (settings_.pickups[p].hears == Pickup::Hears::position) {
+            ear.weights.q = ear.shape;
+        } else {
+            bank.read_velocity(ear.shape, ear.weights);
+        }
+        head_->listen(p, ear.weights);
+    }
+    coupled_ = !at_rest_ && head_->coupled();
+    since_check_ = 0;
 }
 
 }  // namespace percussionist::modal

@@ -4,136 +4,22 @@
 #include <array>
 #include <cmath>
 
-// The inner loops once more for processors with AVX2, chosen when the library is loaded. Not under
-// sanitizers, whose run-time is not ready by then.
-#if defined(__x86_64__) && defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define PERCUSSIONIST_CLONES __attribute__((target_clones("default", "avx2")))
-#else
-#define PERCUSSIONIST_CLONES
-#endif
-
 namespace percussionist::modal {
 
-namespace {
-
-/// Four modes at once; in twos where the processor has no more.
-using Lanes __attribute__((vector_size(32), aligned(8), may_alias)) = double;
-constexpr std::size_t kLanes = 4;
-
-Lanes& lanes(double* values) {
-    return *reinterpret_cast<Lanes*>(values);
-}
-
-const Lanes& lanes(const double* values) {
-    return *reinterpret_cast<const Lanes*>(values);
-}
-
-double sum_of(const Lanes& lanes) {
-    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-}
-
-/// The bank as the loops see it.
-struct Turn {
-    double* q;
-    double* y;
-    const double* c;
-    const double* s;
-    std::size_t size;
-};
-
-/// Sums in the order of weighted_sum().
-PERCUSSIONIST_CLONES
-double turn_all(const Turn& bank, const double* weights) {
-    Lanes even{}, odd{};
-    for (std::size_t k = 0; k < bank.size; k += 2 * kLanes) {
-        const Lanes q0 = lanes(bank.q + k), q1 = lanes(bank.q + k + kLanes);
-        const Lanes y0 = lanes(bank.y + k), y1 = lanes(bank.y + k + kLanes);
-        const Lanes c0 = lanes(bank.c + k), c1 = lanes(bank.c + k + kLanes);
-        const Lanes s0 = lanes(bank.s + k), s1 = lanes(bank.s + k + kLanes);
-        const Lanes t0 = c0 * q0 + s0 * y0, t1 = c1 * q1 + s1 * y1;
-        lanes(bank.q + k) = t0;
-        lanes(bank.q + k + kLanes) = t1;
-        lanes(bank.y + k) = c0 * y0 - s0 * q0;
-        lanes(bank.y + k + kLanes) = c1 * y1 - s1 * q1;
-        even += lanes(weights + k) * t0;
-        odd += lanes(weights + k + kLanes) * t1;
-    }
-    return sum_of(even + odd);
-}
-
-PERCUSSIONIST_CLONES
-double weighted_sum(const double* weights, const double* values, std::size_t size) {
-    Lanes even{}, odd{};
-    for (std::size_t k = 0; k < size; k += 2 * kLanes) {
-        even += lanes(weights + k) * lanes(values + k);
-        odd += lanes(weights + k + kLanes) * lanes(values + k + kLanes);
-    }
-    return sum_of(even + odd);
-}
-
-PERCUSSIONIST_CLONES
-void push_all(double* q, double* y, const double* to_q, const double* to_y, const double* phi,
-              double force, std::size_t size) {
-    for (std::size_t k = 0; k < size; k += kLanes) {
-        const Lanes share = force * lanes(phi + k);
-        lanes(q + k) += lanes(to_q + k) * share;
-        lanes(y + k) += lanes(to_y + k) * share;
-    }
-}
-
-/// In the order in which ring_all() sums.
-PERCUSSIONIST_CLONES
-double weighted_sum(const Turn& bank, const double* weights_q, const double* weights_y) {
-    Lanes sum{};
-    for (std::size_t k = 0; k < bank.size; k += 2 * kLanes) {
-        sum +=
-            (lanes(weights_q + k) * lanes(bank.q + k) + lanes(weights_y + k) * lanes(bank.y + k)) +
-            (lanes(weights_q + k + kLanes) * lanes(bank.q + k + kLanes) +
-             lanes(weights_y + k + kLanes) * lanes(bank.y + k + kLanes));
-    }
-    return sum_of(sum);
-}
-
-/// A group stays in registers for all samples; each sample's sum waits in memory.
-PERCUSSIONIST_CLONES
-void ring_all(const Turn& bank, const double* weights_q, const double* weights_y, double* sums,
-              std::size_t samples) {
-    for (std::size_t k = 0; k < bank.size; k += 2 * kLanes) {
-        Lanes q0 = lanes(bank.q + k), q1 = lanes(bank.q + k + kLanes);
-        Lanes y0 = lanes(bank.y + k), y1 = lanes(bank.y + k + kLanes);
-        const Lanes c0 = lanes(bank.c + k);
-        const Lanes c1 = lanes(bank.c + k + kLanes);
-        const Lanes s0 = lanes(bank.s + k);
-        const Lanes s1 = lanes(bank.s + k + kLanes);
-        const Lanes a0 = lanes(weights_q + k);
-        const Lanes a1 = lanes(weights_q + k + kLanes);
-        const Lanes b0 = lanes(weights_y + k);
-        const Lanes b1 = lanes(weights_y + k + kLanes);
-        for (std::size_t i = 0; i < samples; ++i) {
-            const Lanes t0 = c0 * q0 + s0 * y0;
-            const Lanes t1 = c1 * q1 + s1 * y1;
-            y0 = c0 * y0 - s0 * q0;
-            y1 = c1 * y1 - s1 * q1;
-            q0 = t0;
-            q1 = t1;
-            lanes(sums + kLanes * i) += (a0 * q0 + b0 * y0) + (a1 * q1 + b1 * y1);
-        }
-        lanes(bank.q + k) = q0;
-        lanes(bank.q + k + kLanes) = q1;
-        lanes(bank.y + k) = y0;
-        lanes(bank.y + k + kLanes) = y1;
-    }
-}
-
-}  // namespace
-
-ModeBank::ModeBank(std::size_t size, double period) : size_(size), period_(period) {
+ModeBank::ModeBank(std::size_t size, double period, const ModeLoops& loops)
+    : loops_(&loops), size_(size), period_(period) {
     const std::size_t whole = (size + kGroup - 1) / kGroup * kGroup;
     modes_.resize(whole);
-    for (auto* values : {&damped_, &q_, &y_, &cos_, &sin_, &to_q_, &to_y_}) {
-        values->assign(whole, 0.0);
-    }
+    damped_.assign(whole, 0.0);
+    block_.assign(whole * kSlots, 0.0);
+}
+
+Modes ModeBank::moving_modes() const noexcept {
+    return {const_cast<double*>(block_.data()), moving_};
+}
+
+Modes ModeBank::all_modes() const noexcept {
+    return {const_cast<double*>(block_.data()), padded()};
 }
 
 void ModeBank::set(std::size_t k, const Mode& mode) noexcept {
@@ -142,97 +28,182 @@ void ModeBank::set(std::size_t k, const Mode& mode) noexcept {
     const double w = mode.angular_frequency;
     const double s = mode.loss;
     if (!(w > 0.0)) {
-        damped_[k] = q_[k] = y_[k] = cos_[k] = sin_[k] = to_q_[k] = to_y_[k] = 0.0;
+        damped_[k] = 0.0;
+        for (std::size_t row = 0; row < kSlots; ++row) {
+            at(static_cast<Slot>(row), k) = 0.0;
+        }
         return;
     }
     const double wd = std::sqrt(w * w - s * s);
     const double shrink = std::exp(-s * period_);
-    damped_[k] = wd;
-    y_[k] = (velocity + s * q_[k]) / wd;
-    cos_[k] = shrink * std::cos(wd * period_);
-    sin_[k] = shrink * std::sin(wd * period_);
-    // 1 - cos_, without cancellation.
+    const double c = shrink * std::cos(wd * period_);
+    const double d = shrink * std::sin(wd * period_);
+    // 1 - c, without cancellation.
     const double half_sine = std::sin(0.5 * wd * period_);
     const double missing = -std::expm1(-s * period_) + shrink * 2 * half_sine * half_sine;
     const double give = 1.0 / (mode.mass * w * w);
-    to_q_[k] = give * (missing - sin_[k] * s / wd);
-    to_y_[k] = give * (sin_[k] + missing * s / wd);
+    damped_[k] = wd;
+    at(kY, k) = (velocity + s * at(kQ, k)) / wd;
+    at(kCos, k) = c;
+    at(kSin, k) = d;
+    at(kToQ, k) = give * (missing - d * s / wd);
+    at(kToY, k) = give * (d + missing * s / wd);
+    double chunk_c = c, chunk_d = d;
+    for (std::size_t n = 1; n < kChunk; n *= 2) {
+        const double square = chunk_c * chunk_c - chunk_d * chunk_d;
+        chunk_d = 2 * chunk_c * chunk_d;
+        chunk_c = square;
+    }
+    at(kChunkCos, k) = chunk_c;
+    at(kChunkSin, k) = chunk_d;
 }
 
-void ModeBank::continue_from(const ModeBank& other) noexcept {
-    for (std::size_t k = 0; k < std::min(size_, other.size_); ++k) {
-        if (damped_[k] > 0.0) {
-            q_[k] = other.q_[k];
-            y_[k] = (other.rate(k) + modes_[k].loss * q_[k]) / damped_[k];
+void ModeBank::continue_from(const ModeBank& other, long shift) noexcept {
+    for (std::size_t k = 0; k < size_; ++k) {
+        const long there = static_cast<long>(k) + shift;
+        if (damped_[k] > 0.0 && there >= 0 && there < static_cast<long>(other.size_)) {
+            const auto from = static_cast<std::size_t>(there);
+            at(kQ, k) = other.at(kQ, from);
+            at(kY, k) = (other.rate(from) + modes_[k].loss * at(kQ, k)) / damped_[k];
         }
     }
+    moving_ = padded();
 }
 
-double ModeBank::swing(std::span<const double> phi) noexcept {
-    return turn_all({q_.data(), y_.data(), cos_.data(), sin_.data(), q_.size()}, phi.data());
+double ModeBank::swing(std::span<const Push> pushes, std::span<const double> phi) noexcept {
+    if (pushes.size() == 1) {
+        moving_ = padded();
+        return loops_->push_and_swing(all_modes(), pushes[0].force, pushes[0].phi, phi.data());
+    }
+    push(pushes);
+    return loops_->swing(moving_modes(), phi.data());
 }
 
-void ModeBank::push(double force, std::span<const double> phi) noexcept {
-    push_all(q_.data(), y_.data(), to_q_.data(), to_y_.data(), phi.data(), force, q_.size());
+double ModeBank::touch(double force, std::span<const double> phi, const Weights& weights,
+                       double& reading) noexcept {
+    moving_ = padded();
+    return loops_->touch(all_modes(), force, phi.data(), weights.q.data(), weights.y.data(),
+                         reading);
+}
+
+ModeBank::Swung ModeBank::swing_about(std::span<const Push> pushes, std::span<const double> phi,
+                                      std::span<const double> weights,
+                                      std::span<double> middle) noexcept {
+    push(pushes);
+    moving_ = padded();  // all of `middle` is to be filled
+    Swung swung;
+    swung.displacement =
+        loops_->swing_about(moving_modes(), phi.data(), weights.data(), middle.data(), swung.moved);
+    return swung;
+}
+
+void ModeBank::push(std::span<const Push> pushes) noexcept {
+    for (const Push& push : pushes) {
+        moving_ = padded();
+        loops_->push(all_modes(), push.force, push.phi);
+    }
 }
 
 double ModeBank::compliance(std::span<const double> phi,
                             std::span<const double> other) const noexcept {
+    return loops_->sum2(all_modes(), kToQ, phi.data(), other.data());
+}
+
+double ModeBank::response(const Weights& weights, std::span<const double> phi) const noexcept {
+    double direct = 0.0;
+    for (std::size_t k = 0; k < weights.force.size(); ++k) {
+        direct += weights.force[k] * phi[k];
+    }
+    return loops_->sum2(all_modes(), kToQ, weights.q.data(), phi.data()) +
+           loops_->sum2(all_modes(), kToY, weights.y.data(), phi.data()) + direct;
+}
+
+double ModeBank::displacement(std::span<const double> phi) const noexcept {
+    return loops_->sum(moving_modes(), kQ, phi.data());
+}
+
+double ModeBank::reading(const Weights& weights) const noexcept {
+    return loops_->read(moving_modes(), weights.q.data(), weights.y.data());
+}
+
+double ModeBank::square_sum(std::span<const double> weights) const noexcept {
     double sum = 0.0;
-    for (std::size_t k = 0; k < size_; ++k) {
-        sum += phi[k] * other[k] * to_q_[k];
+    for (std::size_t k = 0; k < std::min(size_, moving_); ++k) {
+        sum += weights[k] * at(kQ, k) * at(kQ, k);
     }
     return sum;
 }
 
-double ModeBank::displacement(std::span<const double> phi) const noexcept {
-    return weighted_sum(phi.data(), q_.data(), q_.size());
-}
-
-void ModeBank::set_weights(std::span<const double> phi, VelocityWeights& weights) const noexcept {
-    for (std::size_t k = 0; k < q_.size(); ++k) {
+void ModeBank::read_velocity(std::span<const double> phi, Weights& weights) const noexcept {
+    for (std::size_t k = 0; k < padded(); ++k) {
         weights.q[k] = -modes_[k].loss * phi[k];
         weights.y[k] = damped_[k] * phi[k];
     }
 }
 
-double ModeBank::velocity(const VelocityWeights& weights) const noexcept {
-    auto* const self = const_cast<ModeBank*>(this);  // only read
-    return weighted_sum({self->q_.data(), self->y_.data(), nullptr, nullptr, q_.size()},
-                        weights.q.data(), weights.y.data());
+void ModeBank::read_acceleration(std::span<const double> in_phase, std::span<const double> later,
+                                 Weights& weights) const noexcept {
+    for (std::size_t k = 0; k < padded(); ++k) {
+        const double s = modes_[k].loss;
+        const double w = modes_[k].angular_frequency;
+        const double of_q = 2 * s * s - w * w;
+        const double of_y = -2 * s * damped_[k];
+        // A quarter of a period ago (q, y) was (-y, q).
+        weights.q[k] = in_phase[k] * of_q + later[k] * of_y;
+        weights.y[k] = in_phase[k] * of_y - later[k] * of_q;
+        weights.force[k] = in_phase[k] / modes_[k].mass;
+    }
 }
 
-void ModeBank::ring(const VelocityWeights& weights, std::span<double> velocities) noexcept {
-    std::array<double, kMostAtOnce * kLanes> sums{};
-    const std::size_t samples = std::min(velocities.size(), kMostAtOnce);
-    ring_all({q_.data(), y_.data(), cos_.data(), sin_.data(), q_.size()}, weights.q.data(),
-             weights.y.data(), sums.data(), samples);
-    for (std::size_t i = 0; i < samples; ++i) {
-        velocities[i] = sum_of(lanes(sums.data() + kLanes * i));
+void ModeBank::ring(const Weights& weights, std::span<double> readings) const noexcept {
+    alignas(64) std::array<double, 4 * kChunk> lanes{};
+    const std::size_t samples = std::min(readings.size(), kChunk);
+    loops_->ring(moving_modes(), weights.q.data(), weights.y.data(), lanes.data(), samples);
+    for (std::size_t n = 0; n < samples; ++n) {
+        const double* const sums = lanes.data() + 4 * n;
+        readings[n] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
     }
+}
+
+void ModeBank::advance(std::size_t samples) noexcept {
+    if (samples == kChunk) {
+        loops_->turn_chunk(moving_modes());
+    } else {
+        loops_->turn(moving_modes(), std::min(samples, kChunk));
+    }
+}
+
+double ModeBank::mode_energy(std::size_t k) const noexcept {
+    const double w = modes_[k].angular_frequency;
+    const double swing = w * at(kQ, k);
+    return 0.5 * modes_[k].mass * (rate(k) * rate(k) + swing * swing);
 }
 
 double ModeBank::energy() const noexcept {
     double sum = 0.0;
-    for (std::size_t k = 0; k < size_; ++k) {
-        const double w = modes_[k].angular_frequency;
-        sum += 0.5 * modes_[k].mass * (rate(k) * rate(k) + w * w * q_[k] * q_[k]);
+    for (std::size_t k = 0; k < std::min(size_, moving_); ++k) {
+        sum += mode_energy(k);
     }
     return sum;
 }
 
 void ModeBank::rest() noexcept {
-    std::fill(q_.begin(), q_.end(), 0.0);
-    std::fill(y_.begin(), y_.end(), 0.0);
+    for (std::size_t k = 0; k < moving_; ++k) {
+        at(kQ, k) = at(kY, k) = 0.0;
+    }
+    moving_ = 0;
 }
 
-void ModeBank::rest_the_faint() noexcept {
-    constexpr double kFaint = 1e-100;
-    for (std::size_t k = 0; k < size_; ++k) {
-        if (std::abs(q_[k]) < kFaint && std::abs(y_[k]) < kFaint) {
-            q_[k] = y_[k] = 0.0;
+void ModeBank::retire(double energy) noexcept {
+    std::size_t last = 0;
+    for (std::size_t k = 0; k < std::min(size_, moving_); ++k) {
+        if (mode_energy(k) < energy) {
+            at(kQ, k) = at(kY, k) = 0.0;
+        } else {
+            last = k + 1;
         }
     }
+    moving_ = (last + kGroup - 1) / kGroup * kGroup;
 }
 
 }  // namespace percussionist::modal

@@ -1,14 +1,20 @@
 // A bank of modes, each an oscillator q'' + 2 s q' + w^2 q = f phi / m, moved exactly from sample
-// to sample under a force constant in between. All the loops over modes are here.
+// to sample under a force constant in between. Its loops over modes are in mode_loops.hpp.
 //
 // A mode's state is q and y = (q' + s q) / wd, with wd = sqrt(w^2 - s^2). In these its free motion
 // over h seconds turns (q, y) by the angle wd h and shrinks it by exp(-s h), whatever happens to w
 // and s meanwhile: never unstable, and its poles are exact up to half the sample rate. A force f
 // moves the point about which it turns from 0 to q = f phi / (m w^2).
 //
-// The sums over modes are taken in one fixed order, so that the same strokes give the same samples
-// to the last bit in blocks of any size and on any processor. A bank's size is rounded up to whole
-// groups of kGroup modes: vectors of weights have padded() values, zeros at the end.
+// Under forces the bank goes sample by sample: swing(). Free, it is asked what will be heard in the
+// next samples, ring(), which leaves it where it is, and then moved on by advance(). There each
+// reading of a mode follows its own recurrence p[n+1] = 2 r cos p[n] - r^2 p[n-1] (r, cos of one
+// sample's turn), kept in registers for a whole chunk: half the work of turning the mode.
+//
+// The sums over modes are taken in one fixed order and nothing is contracted to fused operations:
+// the same calls give the same bits on any processor. A bank's size is rounded up to whole groups
+// of kGroup modes: vectors of weights have padded() values, zeros at the end. Modes beyond the last
+// that moves are skipped.
 //
 // The constructor allocates; everything else is noexcept and may be called in the audio thread.
 #pragma once
@@ -17,12 +23,15 @@
 #include <span>
 #include <vector>
 
+#include "core/modal/aligned.hpp"
+#include "core/modal/mode_loops.hpp"
+
 namespace percussionist::modal {
 
 class ModeBank {
   public:
-    static constexpr std::size_t kGroup = 8;
-    static constexpr std::size_t kMostAtOnce = 64;  ///< samples in one call of ring()
+    static constexpr std::size_t kGroup = Modes::kGroup;
+    static constexpr std::size_t kChunk = 64;  ///< samples in one call of ring()
 
     struct Mode {
         double angular_frequency = 0.0;  ///< w [rad/s]; 0: a mode that never moves
@@ -30,52 +39,96 @@ class ModeBank {
         double mass = 1.0;               ///< m [kg]
     };
 
-    ModeBank(std::size_t size, double period);
+    /// A force, constant during a sample, shared out by phi.
+    struct Push {
+        double force = 0.0;  ///< [N]
+        const double* phi = nullptr;
+    };
+
+    /// Weights of q and y that read a sum over modes, such as a velocity.
+    struct Weights {
+        Values q, y;
+        Values force;  ///< of f phi, which a reading of accelerations needs; else empty
+    };
+
+    /// `loops` other than the best are for tests and measurements.
+    ModeBank(std::size_t size, double period, const ModeLoops& loops = ModeLoops::best());
 
     std::size_t size() const { return size_; }
-    std::size_t padded() const { return q_.size(); }
+    std::size_t padded() const { return modes_.size(); }
+    std::size_t moving() const { return moving_; }  ///< modes beyond are at rest
 
     /// Sets mode k; its displacement and velocity stay as they are, unless it is to be still.
     void set(std::size_t k, const Mode& mode) noexcept;
-    /// Takes over the displacements and velocities of another bank, as far as both have modes.
-    void continue_from(const ModeBank& other) noexcept;
+    /// Takes over the displacements and velocities of another bank, as far as both have modes: mode
+    /// k those of the other's k + shift.
+    void continue_from(const ModeBank& other, long shift = 0) noexcept;
 
-    /// One sample without a force; answers the displacement() then.
-    double swing(std::span<const double> phi) noexcept;
-    /// What a constant force during the sample that swing() has made adds to it.
-    void push(double force, std::span<const double> phi) noexcept;
+    /// What forces during the sample just swung have added, then one more sample without a force.
+    /// Answers sum phi q then.
+    double swing(std::span<const Push> pushes, std::span<const double> phi) noexcept;
+    /// A push by phi, swing(phi), and what `weights` then read, in one pass.
+    double touch(double force, std::span<const double> phi, const Weights& weights,
+                 double& reading) noexcept;
+    struct Swung {
+        double displacement = 0.0;  ///< sum phi q [m]
+        double moved = 0.0;         ///< sum middle (q after - q before)
+    };
+    /// swing(), and in `middle` weights (q before + q after): the gradient of sum weights q^2
+    /// there.
+    Swung swing_about(std::span<const Push> pushes, std::span<const double> phi,
+                      std::span<const double> weights, std::span<double> middle) noexcept;
+    /// What forces during the sample just swung have added.
+    void push(std::span<const Push> pushes) noexcept;
+
     /// sum phi q that a force of 1 N shared out by `other` makes in one sample [m/N].
     double compliance(std::span<const double> phi, std::span<const double> other) const noexcept;
+    /// What a force of 1 N shared out by phi adds to a reading in one sample.
+    double response(const Weights& weights, std::span<const double> phi) const noexcept;
 
-    /// sum phi q [m].
-    double displacement(std::span<const double> phi) const noexcept;
-
+    double displacement(std::span<const double> phi) const noexcept;  ///< sum phi q [m]
+    double reading(const Weights& weights) const noexcept;
+    double square_sum(std::span<const double> weights) const noexcept;  ///< sum weights q^2
     /// Weights that read the velocity sum phi q', for the modes as they are set now.
-    struct VelocityWeights {
-        std::vector<double> q, y;
-    };
-    void set_weights(std::span<const double> phi, VelocityWeights& weights) const noexcept;
-    double velocity(const VelocityWeights& weights) const noexcept;
-    /// At most kMostAtOnce times swing() and velocity(), to the last bit, and faster.
-    void ring(const VelocityWeights& weights, std::span<double> velocities) noexcept;
+    void read_velocity(std::span<const double> phi, Weights& weights) const noexcept;
+    /// Weights that read sum over k of a[k] (q'' of mode k), and the same a quarter period later.
+    void read_acceleration(std::span<const double> in_phase, std::span<const double> later,
+                           Weights& weights) const noexcept;
+
+    /// The reading after each of the next samples (at most kChunk), if none is forced.
+    void ring(const Weights& weights, std::span<double> readings) const noexcept;
+    /// So many samples (at most kChunk) without a force.
+    void advance(std::size_t samples) noexcept;
+
+    const Mode& mode(std::size_t k) const { return modes_[k]; }
 
     double energy() const noexcept;  ///< kinetic plus potential [J]
     void rest() noexcept;
-    /// To rest with those modes whose numbers would soon be denormal and slow.
-    void rest_the_faint() noexcept;
+    /// Modes with less than `energy` [J] come to rest.
+    void retire(double energy) noexcept;
 
   private:
-    double rate(std::size_t k) const noexcept {
-        return damped_[k] * y_[k] - modes_[k].loss * q_[k];
+    double& at(Slot row, std::size_t k) noexcept {
+        return block_[k / kGroup * Modes::kRecord + row * kGroup + k % kGroup];
     }
+    double at(Slot row, std::size_t k) const noexcept {
+        return const_cast<ModeBank*>(this)->at(row, k);
+    }
+    double rate(std::size_t k) const noexcept {
+        return damped_[k] * at(kY, k) - modes_[k].loss * at(kQ, k);
+    }
+    double mode_energy(std::size_t k) const noexcept;
+    /// The loops' view. Those that only read are given it too.
+    Modes moving_modes() const noexcept;
+    Modes all_modes() const noexcept;
 
+    const ModeLoops* loops_;
     std::size_t size_;
     double period_;
+    std::size_t moving_ = 0;
     std::vector<Mode> modes_;
     std::vector<double> damped_;  // wd [rad/s]
-    std::vector<double> q_, y_;
-    std::vector<double> cos_, sin_;    // of the turn, times its shrinking
-    std::vector<double> to_q_, to_y_;  // what f phi adds within one sample
+    Values block_;
 };
 
 }  // namespace percussionist::modal

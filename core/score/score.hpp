@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/score/nuance.hpp"
 #include "core/score/tempo_map.hpp"
 
 namespace percussionist::score {
@@ -14,6 +15,7 @@ struct Note {
     double velocity = 0.5;  ///< above 0 and up to 1: MIDI's 1..127 over 127
     int channel = 9;        ///< 0..15
     Position position;      ///< bar and beat, for reports
+    Nuance nuance = Nuance::legato;
 };
 
 struct Score {

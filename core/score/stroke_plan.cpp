@@ -164,6 +164,7 @@ class Planner {
                                      reachable_height(stroke.speed, n.time - last[stroke.hand]));
             stroke.note = notes_[h];
             stroke.position = n.position;
+            stroke.nuance = n.nuance;
             plan_.strokes.push_back(stroke);
             last[stroke.hand] = n.time;
         }

@@ -37,6 +37,7 @@ struct Stroke {
     double velocity = 0.0;  ///< of the note, 0..1
     std::size_t note = 0;   ///< its index in the score
     Position position;      ///< bar and beat
+    Nuance nuance = Nuance::legato;
 };
 
 enum class Why {

@@ -59,7 +59,7 @@ class ClockTracker {
     static constexpr std::size_t kLeastBlocks = 32;
     static constexpr std::size_t kMostBlocks = 512;
 
-    /// y less x and origin_, over x less x0_: small numbers.
+    /// Where kept: y less x and origin_, over x less x0_, small numbers.
     struct Point {
         double x = 0.0;
         double y = 0.0;
@@ -94,7 +94,7 @@ class ClockTracker {
     double per_block_ = 1.0;
     unsigned steps_ = 0;
     Block block_;
-    Block suspect_;  // the latest observations, as long as all of them are too late
+    Block suspect_;  // the latest observations, as long as all are too late; plain x and y
     std::array<Point, kMostBlocks> points_{};
     std::size_t first_ = 0, count_ = 0;
     std::array<Point, kMostBlocks + 1> hull_{};

@@ -4,8 +4,8 @@
 // Pd's logical clock is followed too (see ClockTracker): once a tick it is told the time. What
 // waits has its time reckoned anew at each tick.
 //
-// Room is made at creation. Times are arguments: `logical` is Pd's, `monotonic` this machine's [s].
-// All in Pd's one thread; nothing allocates but add() beyond its room, which it refuses.
+// Room is made at creation: nothing allocates afterwards. Times are arguments: `logical` is Pd's,
+// `monotonic` this machine's [s]. All in Pd's one thread.
 #pragma once
 
 #include <limits>
@@ -25,7 +25,7 @@ class Playout {
     void tick(double logical, double monotonic) noexcept { clock_.observe(logical, monotonic); }
 
     bool full() const noexcept { return waiting_.size() == room_; }
-    /// Refuses if it is full: ask before.
+    /// Only if it is not full.
     void add(std::unique_ptr<Delivery> delivery) noexcept;
 
     /// When the next is due; at once: minus infinity; none: infinity.

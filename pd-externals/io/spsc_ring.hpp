@@ -28,6 +28,12 @@ class SpscRing {
         return true;
     }
 
+    /// The same with a copy.
+    bool push(const T& item) {
+        T copy = item;
+        return push(std::move(copy));
+    }
+
     /// False if it is empty.
     bool pop(T& item) noexcept {
         const std::size_t at = popped_.load(std::memory_order_relaxed);

@@ -4,6 +4,7 @@
 
 #include <m_pd.h>
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ struct Box {
     const Known* known;
     Object* object;
     t_outlet** outlets;
+    std::size_t outlet_count;
+    t_pd** inlets;  ///< what listens at the further inlets for messages
     const Sample* inputs[kMaxSignals];
     Sample* outputs[kMaxSignals];
     std::size_t output_count;
@@ -34,6 +37,12 @@ struct Box {
     double tick_time;   ///< logical time at the last block [s]
     double next_start;  ///< of the next block within that tick [s]
 };
+
+/// What is known of outlet i: the last of the table stands for all that follow.
+inline const Port& port_of_outlet(const Box* box, std::size_t i) {
+    const auto& outlets = box->known->table.outlets;
+    return outlets[std::min(i, outlets.size() - 1)];
+}
 
 inline double logical_seconds() {
     return clock_gettimesince(0) / 1000.0;

@@ -15,6 +15,7 @@ FakeHost::FakeHost(double sample_rate) {
     s.time = 0.0;
     s.errors.clear();
     s.posts.clear();
+    s.arrays.clear();
 }
 
 FakeHost::~FakeHost() {
@@ -54,11 +55,24 @@ void FakeHost::destroy(FakeObject* object) {
     objects_.erase(object);
 }
 
-void FakeObject::message(const std::string& selector, std::vector<Atom> atoms) {
+namespace {
+
+void deliver(t_pd* receiver, const std::string& selector, const std::vector<Atom>& atoms) {
     auto values = pd_atoms(atoms);
     using Receive = void (*)(void*, t_symbol*, int, t_atom*);
-    reinterpret_cast<Receive>((*static_cast<t_pd*>(box_))->anything)(
-        box_, gensym(selector.c_str()), static_cast<int>(atoms.size()), values.data());
+    reinterpret_cast<Receive>((*receiver)->anything)(receiver, gensym(selector.c_str()),
+                                                     static_cast<int>(atoms.size()), values.data());
+}
+
+}  // namespace
+
+void FakeObject::message(const std::string& selector, std::vector<Atom> atoms) {
+    deliver(static_cast<t_pd*>(box_), selector, atoms);
+}
+
+void FakeObject::message_at(std::size_t inlet, const std::string& selector,
+                            std::vector<Atom> atoms) {
+    deliver(state().listeners[static_cast<t_object*>(box_)].at(inlet), selector, atoms);
 }
 
 std::vector<Sent> FakeObject::sent() {
@@ -168,6 +182,14 @@ void FakeHost::advance_to(double seconds) {
 
 double FakeHost::now() const {
     return state().time / kUnitsPerSecond;
+}
+
+void FakeHost::set_array(const std::string& name, const std::vector<double>& values) {
+    auto& words = state().arrays[name];
+    words.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        words[i].w_float = static_cast<t_float>(values[i]);
+    }
 }
 
 std::vector<std::string> FakeHost::errors() {

@@ -34,12 +34,15 @@ class FakeHost;
 class FakeObject {
   public:
     void message(const std::string& selector, std::vector<Atom> atoms = {});
+    /// To a further inlet for messages, the first of them being 0.
+    void message_at(std::size_t inlet, const std::string& selector, std::vector<Atom> atoms = {});
     /// What came since the last call.
     std::vector<Sent> sent();
     /// Samples of a signal outlet, all since start_dsp().
     const std::vector<Sample>& output(std::size_t i) const { return outputs_.at(i); }
     /// What the next blocks read at a signal inlet: a constant.
     void input(std::size_t i, Sample value) { inputs_.at(i) = value; }
+    std::size_t outputs() const { return outputs_.size(); }
 
   private:
     friend class FakeHost;
@@ -69,6 +72,9 @@ class FakeHost {
     void advance_to(double seconds);
     void run_tick();  ///< to the end of the current tick of 64 samples, with its signals
     double now() const;
+
+    /// An array of Pd.
+    void set_array(const std::string& name, const std::vector<double>& values);
 
     std::vector<std::string> errors();  ///< since the last call
     std::vector<std::string> posts();

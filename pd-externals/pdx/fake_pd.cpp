@@ -97,6 +97,7 @@ void pd_free(t_pd* object) {
     reinterpret_cast<void (*)(void*)>((*object)->destroy)(object);
     state().outlets.erase(reinterpret_cast<t_object*>(object));
     state().extra_inlets.erase(reinterpret_cast<t_object*>(object));
+    state().listeners.erase(reinterpret_cast<t_object*>(object));
     state().sent.erase(reinterpret_cast<t_object*>(object));
     std::free(object);
 }
@@ -107,9 +108,28 @@ t_outlet* outlet_new(t_object* owner, t_symbol* type) {
     return outlets.back().get();
 }
 
+t_inlet* inlet_new(t_object* owner, t_pd* listener, t_symbol*, t_symbol*) {
+    state().listeners[owner].push_back(listener);
+    return nullptr;
+}
+
 t_inlet* signalinlet_new(t_object* owner, t_float) {
     ++state().extra_inlets[owner];
     return nullptr;
+}
+
+t_class* garray_class = nullptr;
+
+t_pd* pd_findbyclass(t_symbol* name, const t_class*) {
+    const auto found = state().arrays.find(name->s_name);
+    return found == state().arrays.end() ? nullptr : reinterpret_cast<t_pd*>(&found->second);
+}
+
+int garray_getfloatwords(t_garray* array, int* size, t_word** words) {
+    auto& values = *reinterpret_cast<std::vector<t_word>*>(array);
+    *size = static_cast<int>(values.size());
+    *words = values.data();
+    return 1;
 }
 
 void outlet_bang(t_outlet* outlet) {

@@ -52,7 +52,9 @@ struct State {
     std::list<_clock> clocks;
     std::map<t_object*, std::vector<std::unique_ptr<_outlet>>> outlets;
     std::map<t_object*, std::size_t> extra_inlets;
+    std::map<t_object*, std::vector<t_pd*>> listeners;
     std::map<t_object*, std::vector<Sent>> sent;
+    std::map<std::string, std::vector<t_word>, std::less<>> arrays;
     std::vector<std::function<void()>> chain;
     std::vector<std::string> errors;
     std::vector<std::string> posts;

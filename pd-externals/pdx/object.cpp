@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "pdx/box.hpp"
 
@@ -67,6 +68,20 @@ void Object::send(std::size_t outlet, std::span<const Atom> list) const {
 void Object::send(std::size_t outlet, const char* selector, std::span<const Atom> arguments) const {
     PdAtoms atoms(arguments);
     outlet_anything(box_.outlets[outlet], gensym(selector), atoms.size(), atoms.data());
+}
+
+std::vector<double> array_values(const char* name) {
+    auto* const array = reinterpret_cast<t_garray*>(pd_findbyclass(gensym(name), garray_class));
+    int size = 0;
+    t_word* words = nullptr;
+    if (!array || !garray_getfloatwords(array, &size, &words)) {
+        throw std::invalid_argument(std::string("no array '") + name + "'");
+    }
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(size));
+    std::for_each(words, words + size,
+                  [&](const t_word& word) { values.push_back(static_cast<double>(word.w_float)); });
+    return values;
 }
 
 Clock::Clock(const Object& owner, std::function<void()> callback)

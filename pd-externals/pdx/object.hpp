@@ -33,6 +33,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -86,6 +87,9 @@ class Object {
     Box& box_;
 };
 
+/// The values of an array of Pd. Throws std::invalid_argument if there is none of that name.
+std::vector<double> array_values(const char* name);
+
 /// Calls back at a logical time; destroyed, it does not.
 class Clock {
   public:
@@ -117,6 +121,13 @@ struct Port {
     std::string description;
 };
 
+/// A further inlet; whatever comes there is a message of its own name, its arguments what came (the
+/// selector first, if it is not a list, a number or a symbol).
+struct MessageInlet {
+    std::string selector;
+    std::string description;
+};
+
 /// The table: everything Pd, the user and the reference page know of an object.
 struct Description {
     std::string name;
@@ -124,7 +135,10 @@ struct Description {
     std::vector<Argument> creation_arguments;
     std::vector<Message> messages;
     std::vector<Port> signal_inlets;  ///< the first also takes the messages
+    std::vector<MessageInlet> message_inlets;
     std::vector<Port> outlets;
+    /// The last outlet is there as often as this creation argument says; none: once.
+    std::optional<std::size_t> last_outlets;
     std::function<std::unique_ptr<Object>(Box&, const Arguments&)> make;
 
     /// Name, creation arguments, messages with units, inlets and outlets, a line each.
@@ -151,9 +165,19 @@ class Describe : public Description {
         signal_inlets.push_back({true, std::move(text)});
         return *this;
     }
+    Describe& message_inlet(std::string selector, std::string text) {
+        message_inlets.push_back({std::move(selector), std::move(text)});
+        return *this;
+    }
     Describe& signal_outlet(std::string text) {
         outlets.push_back({true, std::move(text)});
         return *this;
+    }
+    /// The last outlets, all alike: as many as creation argument `argument` says (at most 16 in
+    /// all).
+    Describe& signal_outlets(std::string text, std::size_t argument) {
+        last_outlets = argument;
+        return signal_outlet(std::move(text));
     }
     Describe& outlet(std::string text) {
         outlets.push_back({false, std::move(text)});

@@ -61,6 +61,36 @@ void receive(Box* box, t_symbol* selector, int count, t_atom* atoms) noexcept {
     });
 }
 
+/// Listens at a further inlet.
+struct Ear {
+    t_pd header;
+    Box* box;
+    t_symbol* selector;
+};
+
+void hear(Ear* ear, t_symbol* selector, int count, t_atom* atoms) noexcept {
+    std::vector<t_atom> all(atoms, atoms + count);
+    const std::string_view name = selector->s_name;
+    if (name != "list" && name != "float" && name != "symbol" && name != "bang") {
+        all.insert(all.begin(), t_atom{});
+        SETSYMBOL(all.data(), selector);
+    }
+    receive(ear->box, ear->selector, static_cast<int>(all.size()), all.data());
+}
+
+void forget(Ear*) noexcept {}
+
+t_class* ear_class() {
+    static t_class* const known = [] {
+        t_class* const c =
+            class_new(gensym("percussionist-inlet"), nullptr, reinterpret_cast<t_method>(&forget),
+                      sizeof(Ear), CLASS_PD, A_NULL);
+        class_addanything(c, reinterpret_cast<t_method>(&hear));
+        return c;
+    }();
+    return known;
+}
+
 /// The logical time at which the coming block starts. At a tick Pd has already moved its time to
 /// the tick's end; a short block is one of several within a tick, a long one ends with its tick.
 double block_start(Box* box, std::size_t size) noexcept {
@@ -98,8 +128,8 @@ void sort_signals(Box* box, t_signal** signals) noexcept {
         box->inputs[i] = signals[next++]->s_vec;
     }
     box->output_count = 0;
-    for (const auto& outlet : table.outlets) {
-        if (outlet.signal) {
+    for (std::size_t i = 0; i < box->outlet_count; ++i) {
+        if (port_of_outlet(box, i).signal) {
             box->outputs[box->output_count++] = signals[next++]->s_vec;
         }
     }
@@ -123,14 +153,26 @@ bool has_signals(const Description& table) {
                        [](const Port& outlet) { return outlet.signal; });
 }
 
-void make_ports(Box* box) {
+void make_ports(Box* box, const Arguments& creation) {
     const Description& table = box->known->table;
     for (std::size_t i = 1; i < table.signal_inlets.size(); ++i) {
         signalinlet_new(&box->header, 0);
     }
-    box->outlets = new t_outlet* [table.outlets.size()] {};
-    for (std::size_t i = 0; i < table.outlets.size(); ++i) {
-        box->outlets[i] = outlet_new(&box->header, table.outlets[i].signal ? &s_signal : nullptr);
+    box->inlets = new t_pd* [table.message_inlets.size()] {};
+    for (std::size_t i = 0; i < table.message_inlets.size(); ++i) {
+        auto* const ear = reinterpret_cast<Ear*>(pd_new(ear_class()));
+        ear->box = box;
+        ear->selector = gensym(table.message_inlets[i].selector.c_str());
+        box->inlets[i] = &ear->header;
+        inlet_new(&box->header, &ear->header, nullptr, nullptr);
+    }
+    const auto wanted = table.last_outlets ? creation.number(*table.last_outlets) : 1.0;
+    const std::size_t more = wanted > 1.0 ? static_cast<std::size_t>(wanted) - 1 : 0;
+    box->outlet_count = std::min(table.outlets.size() + more, kMaxSignals);
+    box->outlets = new t_outlet* [box->outlet_count] {};
+    for (std::size_t i = 0; i < box->outlet_count; ++i) {
+        const bool signal = port_of_outlet(box, i).signal;
+        box->outlets[i] = outlet_new(&box->header, signal ? &s_signal : nullptr);
     }
 }
 
@@ -144,11 +186,11 @@ void* create(t_symbol* typed_name, int count, t_atom* atoms) noexcept {
     auto* const box = reinterpret_cast<Box*>(pd_new(found->second.pd_class));
     box->known = &found->second;
     guarded(box, "", [&] {
-        make_ports(box);
         const Description& table = box->known->table;
         const auto given = from_pd(count, atoms);
-        box->object =
-            table.make(*box, check(table.creation_arguments, given, table.name)).release();
+        const Arguments creation = check(table.creation_arguments, given, table.name);
+        make_ports(box, creation);
+        box->object = table.make(*box, creation).release();
     });
     if (!box->object) {
         pd_free(reinterpret_cast<t_pd*>(box));
@@ -159,6 +201,12 @@ void* create(t_symbol* typed_name, int count, t_atom* atoms) noexcept {
 
 void destroy(Box* box) noexcept {
     delete box->object;
+    for (std::size_t i = 0; box->inlets && i < box->known->table.message_inlets.size(); ++i) {
+        if (box->inlets[i]) {
+            pd_free(box->inlets[i]);
+        }
+    }
+    delete[] box->inlets;
     delete[] box->outlets;
 }
 
@@ -201,6 +249,9 @@ std::string Description::reference() const {
     }
     for (const auto& inlet : signal_inlets) {
         text += "  signal inlet: " + inlet.description + "\n";
+    }
+    for (const auto& inlet : message_inlets) {
+        text += "  inlet: " + inlet.description + "\n";
     }
     for (const auto& outlet : outlets) {
         text += std::string("  ") + (outlet.signal ? "signal " : "") +

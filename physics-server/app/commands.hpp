@@ -13,6 +13,15 @@ void add_serve_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 /// check: how well a recording agrees with the contacts of its performance.
 void add_check_command(CLI::App& program);
+/// samples: the drum's strokes as files, for the patches' sample voice.
+void add_samples_command(CLI::App& program);
+/// modes: modes measured from recordings, as a mode file, with a picture and a resynthesis.
+void add_modes_command(CLI::App& program);
+/// drum: the mode file of a drum computed from what it is made of, and strokes of it.
+void add_drum_command(CLI::App& program);
+/// fastrak-sim: a FASTRAK to try everything on, without hardware. Runs until SIGINT, SIGTERM, "quit"
+/// on standard input or --duration.
+void add_fastrak_sim_command(CLI::App& program);
 /// track: how well the body follows a captured motion.
 void add_track_command(CLI::App& program);
 /// gestures: the gestures that the body knows; more of them out of recordings.
@@ -21,5 +30,10 @@ void add_gestures_command(CLI::App& program);
 void add_limits_command(CLI::App& program);
 /// bench: how fast the simulation is.
 void add_bench_command(CLI::App& program);
+
+/// transcribe: which drums are struck when in a recording, as MIDI.
+void add_transcribe_command(CLI::App& program);
+/// learn-drums: what transcribe knows of drums, learnt from pieces the program makes up.
+void add_learn_drums_command(CLI::App& program);
 
 }  // namespace percussionist::app

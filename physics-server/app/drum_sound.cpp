@@ -27,11 +27,11 @@ files::Audio drum_sound(const PerformanceLog& log, double duration, int rate,
     audio.rate = rate;
     audio.samples.assign(static_cast<std::size_t>(std::lround(duration * rate)), 0.0);
     modal::DrumSettings settings;
-    settings.membrane = head.membrane;
-    settings.decay = head.decay;
+    settings.body = head.membrane;
+    settings.loss = head.decay;
     // On the line between the hands: both sound alike.
-    settings.pickup_r = 0.6 * head.membrane.radius;
-    settings.pickup_theta = 0.0;
+    settings.pickups[0].r = 0.6 * head.membrane.radius;
+    settings.pickups[0].theta = 0.0;
     modal::ModalDrum drum(settings, rate);
 
     // Contacts are told when they end, so that two hands' may stand in the wrong order.

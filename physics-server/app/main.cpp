@@ -19,10 +19,16 @@ int main(int argc, char** argv) {
         add_serve_command(program);
         add_render_command(program);
         add_check_command(program);
+        add_samples_command(program);
+        add_fastrak_sim_command(program);
         add_track_command(program);
         add_gestures_command(program);
         add_limits_command(program);
         add_bench_command(program);
+        add_modes_command(program);
+        add_drum_command(program);
+        add_transcribe_command(program);
+        add_learn_drums_command(program);
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error);

@@ -75,6 +75,7 @@ void Player::retime(Hand hand) {
 }
 
 void Player::advance() {
+    given_.clear();
     if (!playing_) return;
     for (const Hand hand : kHands) advance(hand);
     const bool over = std::all_of(kHands.begin(), kHands.end(), [&](Hand hand) {
@@ -98,6 +99,7 @@ void Player::advance(Hand hand) {
         ++asked_;
         last_impact_ = std::max(last_impact_, time);
         h.recent.push_back({i, time});
+        given_.push_back({i, time});
         if (h.recent.size() > kRemembered) h.recent.pop_front();
     }
 }

@@ -42,6 +42,9 @@ class Player {
     /// When the last stroke strikes, simulated [s]; meaningful once the score has ended.
     [[nodiscard]] double last_impact() const { return last_impact_; }
 
+    /// Strokes given to the hands in the last advance().
+    [[nodiscard]] const std::vector<Asked>& given() const { return given_; }
+
     /// The stroke that a contact came of, or nothing: none was due there.
     [[nodiscard]] const Asked* cause(const sim::ContactEvent& contact) const;
 
@@ -66,6 +69,7 @@ class Player {
     sim::Simulation& simulation_;
     std::vector<score::Stroke> strokes_;
     std::array<HandState, 2> hands_;
+    std::vector<Asked> given_;
     double origin_ = 0.0, tempo_ = 1.0, last_impact_ = 0.0;
     bool playing_ = false;
     int asked_ = 0, dropped_ = 0;

@@ -62,7 +62,8 @@ void add_render_command(CLI::App& program) {
     CLI::App& command = *program.add_subcommand(
         "render",
         "play a score as fast as it can into files: contacts.csv, motion.bvh, performance.wav");
-    command.add_option("score", options->score, "a Standard MIDI File; none: the built-in piece");
+    command.add_option("score", options->score,
+                       "a MIDI or MusicXML file; none: the built-in piece");
     command.add_option("-o,--output", options->folder, "folder for the files")->required();
     command.add_option("--tempo", options->tempo, "a multiple of the score's own tempo")
         ->check(CLI::Range(0.1, 10.0))

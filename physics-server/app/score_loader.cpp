@@ -7,19 +7,30 @@
 #include <system_error>
 
 #include "files/midi_file.hpp"
+#include "files/musicxml_file.hpp"
 
 namespace percussionist::app {
 
+namespace {
+
+bool is_musicxml(const std::filesystem::path& path) {
+    const std::string kind = path.extension().string();
+    return kind == ".musicxml" || kind == ".xml" || kind == ".mxl";
+}
+
+score::Score read_score(const std::filesystem::path& path, std::vector<std::string>& warnings) {
+    if (path.empty()) return score::built_in_score();
+    if (is_musicxml(path)) return files::read_musicxml_file(path);
+    const files::MidiFile file = files::read_midi_file(path);
+    warnings = file.warnings;
+    return files::midi_to_score(file);
+}
+
+}  // namespace
+
 LoadedScore load_score(const std::filesystem::path& path) {
     LoadedScore loaded;
-    score::Score score;
-    if (path.empty()) {
-        score = score::built_in_score();
-    } else {
-        const files::MidiFile file = files::read_midi_file(path);
-        loaded.remarks = file.warnings;
-        score = files::midi_to_score(file);
-    }
+    const score::Score score = read_score(path, loaded.remarks);
     score::StrokePlan plan = score::plan_strokes(score);
     for (const auto* list : {&plan.left_out, &plan.doubles}) {
         for (const score::LeftOut& note : *list) {

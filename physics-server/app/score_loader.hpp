@@ -16,7 +16,8 @@ struct LoadedScore {
     std::vector<std::string> remarks;  ///< warnings of the reader, each note left out
 };
 
-/// The built-in score if `path` is empty. Throws files::MidiError.
+/// A Standard MIDI File or MusicXML; the built-in score if `path` is empty. Throws files::MidiError
+/// or files::MusicXmlError.
 LoadedScore load_score(const std::filesystem::path& path);
 
 /// The file `name` inside `folder`, or an error: std::runtime_error if it lies outside or is not

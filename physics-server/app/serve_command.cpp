@@ -7,6 +7,8 @@
 #include <memory>
 
 #include "app/commands.hpp"
+#include "app/real_time.hpp"
+#include "app/route_file.hpp"
 #include "app/server.hpp"
 #include "app/simulation_flags.hpp"
 
@@ -27,6 +29,7 @@ void serve(const ServeOptions& options) {
     Server server(options, clock);
     fmt::print("listening on {} port {}\n", options.endpoint.listen, server.port());
     std::fflush(stdout);
+    ask_for_real_time();
     server.run(g_stop);
     fmt::print("{}late steps         {}\n", describe(server.performance().summary()),
                server.late_steps());
@@ -36,9 +39,11 @@ void serve(const ServeOptions& options) {
 
 void add_serve_command(CLI::App& program) {
     auto options = std::make_shared<ServeOptions>();
+    auto routes = std::make_shared<std::filesystem::path>();
     CLI::App& command = *program.add_subcommand(
         "serve", "simulate in real time; hear and tell over OSC (docs/osc-protocol.md)");
-    command.add_option("score", options->score, "a Standard MIDI File; none: the built-in piece");
+    command.add_option("score", options->score,
+                       "a MIDI or MusicXML file; none: the built-in piece");
     command
         .add_option("--listen", options->endpoint.listen,
                     "address to listen on; 0.0.0.0 for every network of this machine")
@@ -51,13 +56,19 @@ void add_serve_command(CLI::App& program) {
                     "between a contact and its sound: time for the network [s]")
         ->check(CLI::Range(0.015, 2.0))
         ->capture_default_str();
-    command.add_option("--scores", options->score_folder, "folder that /score may read from")
+    command.add_option("--allow", options->endpoint.allow,
+                       "hosts that others may have events sent to, besides this one and their own");
+    command.add_option("--routes", *routes, "file of routes from the start");
+    command
+        .add_option("--scores", options->score_folder,
+                    "folder that /score may read from and /route/save write to")
         ->default_str(".");
     command.add_flag("--play", options->play, "play at once, without waiting for /play");
     command.add_flag("--quit-at-end", options->quit_at_end, "end when the score has rung out");
     command.add_option("--log", options->log_folder, "folder for contacts.csv, written at the end");
     add_simulation_flags(command, options->simulation);
-    command.callback([options] {
+    command.callback([options, routes] {
+        if (!routes->empty()) options->endpoint.routes = read_routes(*routes);
         if (options->score_folder.empty()) options->score_folder = ".";
         serve(*options);
     });

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "app/route_file.hpp"
+
 namespace percussionist::app {
 
 namespace {
@@ -81,9 +83,13 @@ double Server::next_step_end() const {
 void Server::step() {
     const bool playing = performance_.playing();
     for (const LoggedContact& contact : performance_.step()) tell_contact(contact);
+    for (const Asked& given : performance_.player().given()) tell_strike(given);
     const double time = performance_.simulation().time();
     if (time >= next_pose_) tell_pose();
-    if (time >= next_status_) tell_status();
+    if (time >= next_status_) {
+        tell_scene();
+        tell_status();
+    }
     if (playing && !performance_.playing()) tell_finished();
 }
 
@@ -96,6 +102,8 @@ void Server::obey(const osc::Command& command) {
         performance_.set_tempo(tempo->factor);
     } else if (const auto* score = std::get_if<osc::LoadScore>(&command)) {
         begin_loading(*score);
+    } else if (const auto* save = std::get_if<osc::SaveRoutes>(&command)) {
+        save_routes(*save);
     }
 }
 
@@ -115,6 +123,17 @@ void Server::begin_loading(const osc::LoadScore& wish) {
         } catch (const std::exception& error) {
             endpoint_.answer(wish.asker, "/error", {"/score", error.what()});
             throw;
+        }
+    });
+}
+
+void Server::save_routes(const osc::SaveRoutes& wish) {
+    saving_ = std::async(std::launch::async, [this, wish] {
+        try {
+            write_routes(options_.score_folder, wish.file, endpoint_.routes());
+            endpoint_.answer(wish.asker, "/reply", {"/route/save", wish.file + ".routes"});
+        } catch (const std::exception& error) {
+            endpoint_.answer(wish.asker, "/error", {"/route/save", error.what()});
         }
     });
 }
@@ -150,6 +169,15 @@ void Server::tell_contact(const LoggedContact& contact) {
     endpoint_.tell(m);
 }
 
+void Server::tell_strike(const Asked& given) {
+    const score::Stroke& stroke = performance_.player().strokes()[given.stroke];
+    const double now = performance_.simulation().time();
+    endpoint_.tell(osc::StrikeMessage{wall(now), stroke.hand, static_cast<int>(given.stroke),
+                                      static_cast<float>(given.time - now),
+                                      static_cast<float>(stroke.speed),
+                                      static_cast<float>(stroke.height)});
+}
+
 void Server::tell_pose() {
     next_pose_ += kPoseInterval;
     osc::PoseMessage pose;
@@ -164,6 +192,19 @@ void Server::tell_pose() {
                                 static_cast<float>(q.y()), static_cast<float>(q.z())}});
     }
     endpoint_.tell(std::move(pose));
+}
+
+void Server::tell_scene() {
+    const sim::Simulation& simulation = performance_.simulation();
+    osc::SceneMessage scene;
+    scene.wall = wall(simulation.time());
+    for (const body::Segment& s : simulation.skeleton().segments) {
+        const linear::Vector3 middle = 0.5 * (s.joint_rest + s.end_rest) - s.com_rest;
+        scene.bodies.push_back({s.name, floats<3>(middle), floats<3>(s.size)});
+    }
+    scene.drums.push_back({0, floats<3>(simulation.head_centre()),
+                           static_cast<float>(options_.simulation.head.membrane.radius)});
+    endpoint_.tell(std::move(scene));
 }
 
 void Server::tell_status() {

@@ -22,7 +22,7 @@ struct ServeOptions {
     sim::SimulationOptions simulation;
     osc::EndpointOptions endpoint;
     std::filesystem::path score;         ///< empty: the built-in one
-    std::filesystem::path score_folder;  ///< where /score may read
+    std::filesystem::path score_folder;  ///< where /score may read and /route/save may write
     bool play = false;                   ///< at once, without waiting for /play
     bool quit_at_end = false;            ///< when the score has been played and has rung out
     std::filesystem::path log_folder;    ///< contacts.csv goes there; empty: nowhere
@@ -43,6 +43,7 @@ class Server {
   private:
     void obey(const osc::Command& command);
     void begin_loading(const osc::LoadScore& wish);
+    void save_routes(const osc::SaveRoutes& wish);
     void take_loaded_score();
     void use(LoadedScore loaded);
     void catch_up(double now);
@@ -50,6 +51,8 @@ class Server {
     void step();
     void tell_contact(const LoggedContact& contact);
     void tell_pose();
+    void tell_strike(const Asked& given);
+    void tell_scene();
     void tell_status();
     void tell_finished();
     void write_log() const;
@@ -60,6 +63,7 @@ class Server {
     Performance performance_;
     osc::Endpoint endpoint_;
     std::future<LoadedScore> loading_;
+    std::future<void> saving_;
     double start_ = 0.0;                          ///< wall clock at simulated time 0 [s]
     double next_pose_ = 0.0, next_status_ = 0.0;  ///< simulated [s]
     double busy_ = 0.0;                           ///< computing time since the last status [s]

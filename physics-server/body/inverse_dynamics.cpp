@@ -46,7 +46,7 @@ TipMass::TipMass(const Skeleton& skeleton, Hand hand) : skeleton_(skeleton), han
     const auto count = 3 * static_cast<Eigen::Index>(chain_.size());
     inertia_.setZero(count, count);
     reach_.setZero(count);
-    factors_ = Eigen::LLT<Eigen::MatrixXd>(count);
+    factors_.compute(Eigen::MatrixXd::Identity(count, count));
 }
 
 double TipMass::operator()(const Placement& now, const Vector3& normal,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -18,6 +19,16 @@ std::string text(std::span<const Argument> arguments, std::size_t index,
     return index < arguments.size() ? std::get<std::string>(arguments[index]) : otherwise;
 }
 
+/// The words from `first` on as one line.
+std::string line(std::span<const Argument> arguments, std::size_t first) {
+    std::string text;
+    for (const Argument& a : arguments.subspan(first)) {
+        const auto* number = std::get_if<double>(&a);
+        text += number != nullptr ? fmt::format("{} ", *number) : std::get<std::string>(a) + ' ';
+    }
+    return text;
+}
+
 std::string port_text(double port) {
     return std::to_string(static_cast<int>(port));
 }
@@ -28,6 +39,8 @@ Feed feed(const std::string& name) {
 }
 
 constexpr Parameter kPort{"PORT", "", false, true, 1, 65535};
+constexpr Parameter kNumber{"NUMBER", "", false, true, 1, 1e9};
+constexpr Parameter kRoute{"ROUTE", "", true, true, 0, 0, true};
 
 std::vector<Address> make_table() {
     using Arguments = std::span<const Argument>;
@@ -64,6 +77,35 @@ std::vector<Address> make_table() {
          [](Arguments a, const Peer& from) -> Command {
              return Unsubscribe{{text(a, 1, from.host), port_text(number(a, 0))}};
          }},
+        {"/route/add",
+         "send an event on: EVENT to HOST:PORT ADDRESS FIELD... when FIELD LEAST MOST; answered by "
+         "its number",
+         {kRoute},
+         [](Arguments a, const Peer& from) -> Command {
+             return AddRoute{line(a, 0), from};
+         }},
+        {"/route/change",
+         "another route in place of one",
+         {kNumber, kRoute},
+         [](Arguments a, const Peer& from) -> Command {
+             return ChangeRoute{static_cast<int>(number(a, 0)), line(a, 1), from};
+         }},
+        {"/route/remove",
+         "no longer this route",
+         {kNumber},
+         [](Arguments a, const Peer& from) -> Command {
+             return RemoveRoute{static_cast<int>(number(a, 0)), from};
+         }},
+        {"/route/list",
+         "answered by the routes, a /route each: number and line",
+         {},
+         [](Arguments, const Peer& from) -> Command { return ListRoutes{from}; }},
+        {"/route/save",
+         "write the routes to FILE.routes in the server's folder",
+         {{"FILE", "", true, true}},
+         [](Arguments a, const Peer& from) -> Command {
+             return SaveRoutes{text(a, 0, ""), from};
+         }},
         {"/ping",
          "answered by /pong to the asker",
          {},
@@ -94,11 +136,13 @@ bool fits(const Parameter& p, const Argument& got) {
 std::string fault(const Address& address, std::span<const Argument> arguments) {
     std::size_t required = 0;
     for (const Parameter& p : address.parameters) required += p.required ? 1 : 0;
-    if (arguments.size() < required || arguments.size() > address.parameters.size()) {
+    const bool open = !address.parameters.empty() && address.parameters.back().rest;
+    if (arguments.size() < required || (!open && arguments.size() > address.parameters.size())) {
         return fmt::format("expected {}, got {} argument{}", usage(address), arguments.size(),
                            arguments.size() == 1 ? "" : "s");
     }
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(arguments.size(), address.parameters.size()); ++i) {
+        if (address.parameters[i].rest) break;
         if (!fits(address.parameters[i], arguments[i])) {
             return wrong(address.parameters[i], arguments[i]);
         }
@@ -123,6 +167,7 @@ std::string usage(const Address& address) {
     std::string line = address.path;
     for (const Parameter& p : address.parameters) {
         line += p.required ? fmt::format(" {}", p.name) : fmt::format(" [{}]", p.name);
+        if (p.rest) line += "...";
         if (!p.text && p.most > p.least) line += fmt::format(" ({:g} to {:g})", p.least, p.most);
     }
     return line;

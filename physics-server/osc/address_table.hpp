@@ -23,6 +23,7 @@ struct Parameter {
     bool required = true;
     double least = 0.0;  ///< of a number
     double most = 0.0;
+    bool rest = false;  ///< the last one: any number of words and numbers, read as a line
 };
 
 struct Address {

@@ -39,6 +39,29 @@ struct Describe {
     Peer asker;
 };
 
-using Command = std::variant<Play, Stop, Tempo, LoadScore, Subscribe, Unsubscribe, Ping, Describe>;
+/// A route as its line of text (osc/route.hpp).
+struct AddRoute {
+    std::string line;
+    Peer asker;
+};
+struct ChangeRoute {
+    int number = 0;
+    std::string line;
+    Peer asker;
+};
+struct RemoveRoute {
+    int number = 0;
+    Peer asker;
+};
+struct ListRoutes {
+    Peer asker;
+};
+struct SaveRoutes {
+    std::string file;
+    Peer asker;
+};
+
+using Command = std::variant<Play, Stop, Tempo, LoadScore, Subscribe, Unsubscribe, Ping, Describe,
+                             AddRoute, ChangeRoute, RemoveRoute, ListRoutes, SaveRoutes>;
 
 }  // namespace percussionist::osc

@@ -16,8 +16,7 @@ constexpr std::size_t kRideAlong = 7;
 /// How often a contact is sent again, evenly over the lookahead that is left after it was known.
 constexpr int kRepeats = 4;
 constexpr double kRepeatShare = 1.0 / 8.0;
-constexpr double kClockInterval = 0.05;
-constexpr std::size_t kMostSubscribers = 32;
+constexpr double kClockInterval = 0.01;
 /// Commands not yet taken beyond this many are refused: memory is bounded.
 constexpr std::size_t kMostCommands = 256;
 
@@ -25,6 +24,13 @@ constexpr std::size_t kMostCommands = 256;
 
 Endpoint::Endpoint(const EndpointOptions& options, std::function<double()> wall)
     : options_(options), wall_(std::move(wall)), socket_(options.listen, options.port) {
+    for (const std::string& host : options.allow) {
+        allowed_.push_back(UdpSocket::resolve(host, "1").sin_addr.s_addr);
+    }
+    for (const std::string& line : options.routes) {
+        const Route route = parse_route(line);
+        audience_.add_route(route, UdpSocket::resolve(route.to.host, route.to.port));
+    }
     hearing_ = std::thread([this] { hear(); });
     sending_ = std::thread([this] { send_loop(); });
 }
@@ -37,11 +43,6 @@ Endpoint::~Endpoint() {
     wake_.notify_all();
     hearing_.join();
     sending_.join();
-}
-
-int Endpoint::subscribers() const {
-    const std::lock_guard lock(mutex_);
-    return static_cast<int>(subscribers_.size());
 }
 
 void Endpoint::tell(Outgoing message) {
@@ -66,14 +67,16 @@ void Endpoint::hear() {
             const std::lock_guard lock(mutex_);
             if (stopping_) return;
         }
+        drop_dead();
         if (!received) continue;
         const Peer sender = UdpSocket::peer(received->from);
         const auto message = [&](const std::string& path, std::span<const Argument> arguments) {
             const auto said = understand(path, arguments, sender);
             if (const auto* refusal = std::get_if<Refusal>(&said)) {
                 refuse(*refusal, sender);
-            } else {
-                handle(std::get<Command>(said));
+            } else if (const auto& command = std::get<Command>(said); !handled(command)) {
+                const std::lock_guard lock(mutex_);
+                if (commands_.size() < kMostCommands) commands_.push_back(command);
             }
         };
         if (!decode({buffer.data(), received->size}, message)) {
@@ -82,43 +85,104 @@ void Endpoint::hear() {
     }
 }
 
-void Endpoint::handle(const Command& command) {
-    if (const auto* wish = std::get_if<Subscribe>(&command)) return subscribe(*wish);
-    if (const auto* ask = std::get_if<Ping>(&command)) return answer(ask->asker, "/pong", {});
-    if (const auto* ask = std::get_if<Describe>(&command)) return describe(ask->asker);
-    if (const auto* wish = std::get_if<Unsubscribe>(&command)) return remove(wish->peer);
-    const std::lock_guard lock(mutex_);
-    if (commands_.size() < kMostCommands) commands_.push_back(command);
+bool Endpoint::handled(const Command& command) {
+    return std::visit(
+        [this](const auto& wish) {
+            constexpr bool own = requires {
+                handle(wish);
+            };
+            if constexpr (own) handle(wish);
+            return own;
+        },
+        command);
 }
 
-void Endpoint::subscribe(const Subscribe& wish) {
+sockaddr_in Endpoint::allowed_target(const Peer& to, const Peer& asker) const {
+    const sockaddr_in target = UdpSocket::resolve(to.host, to.port);
+    const in_addr_t host = target.sin_addr.s_addr;
+    constexpr std::uint32_t kLoopback = 127;
+    const bool allowed = ntohl(host) >> 24U == kLoopback ||
+                         host == UdpSocket::resolve(asker.host, asker.port).sin_addr.s_addr ||
+                         std::find(allowed_.begin(), allowed_.end(), host) != allowed_.end();
+    if (!allowed) {
+        throw std::runtime_error(to.host +
+                                 ": not allowed; expected this machine, the asker's, or a "
+                                 "host given with --allow");
+    }
+    return target;
+}
+
+void Endpoint::handle(const Subscribe& wish) {
     try {
-        const sockaddr_in address = UdpSocket::resolve(wish.peer.host, wish.peer.port);
-        remove(UdpSocket::peer(address));
-        const std::lock_guard lock(mutex_);
-        if (subscribers_.size() >= kMostSubscribers) {
-            throw std::runtime_error("no more than 32 subscribers");
-        }
-        subscribers_.push_back({UdpSocket::peer(address), address, wish.feed});
+        audience_.subscribe(allowed_target(wish.peer, wish.asker), wish.feed, wall_());
     } catch (const std::runtime_error& error) {
         refuse({"/subscribe", error.what()}, wish.asker);
     }
 }
 
-void Endpoint::remove(const Peer& peer) {
-    Peer numeric = peer;
+void Endpoint::handle(const Unsubscribe& wish) {
     try {
-        numeric = UdpSocket::peer(UdpSocket::resolve(peer.host, peer.port));
+        audience_.unsubscribe(UdpSocket::resolve(wish.peer.host, wish.peer.port));
     } catch (const std::runtime_error&) {
-        // A name that cannot be looked up any more cannot be told from others: nothing to remove.
+        // A name that cannot be looked up is nobody's: nothing to remove.
     }
-    const std::lock_guard lock(mutex_);
-    std::erase_if(subscribers_, [&](const Subscriber& s) { return s.peer == numeric; });
 }
 
-void Endpoint::describe(const Peer& asker) {
+void Endpoint::handle(const AddRoute& wish) {
+    try {
+        const Route route = parse_route(wish.line);
+        const int number = audience_.add_route(route, allowed_target(route.to, wish.asker));
+        answer(wish.asker, "/route", {std::to_string(number), to_string(route)});
+    } catch (const std::exception& error) {
+        refuse({"/route/add", error.what()}, wish.asker);
+    }
+}
+
+void Endpoint::handle(const ChangeRoute& wish) {
+    try {
+        const Route route = parse_route(wish.line);
+        if (!audience_.change_route(wish.number, route, allowed_target(route.to, wish.asker))) {
+            throw std::runtime_error("no route " + std::to_string(wish.number));
+        }
+        answer(wish.asker, "/route", {std::to_string(wish.number), to_string(route)});
+    } catch (const std::exception& error) {
+        refuse({"/route/change", error.what()}, wish.asker);
+    }
+}
+
+void Endpoint::handle(const RemoveRoute& wish) {
+    const std::string number = std::to_string(wish.number);
+    if (audience_.remove_route(wish.number)) {
+        answer(wish.asker, "/reply", {"/route/remove", number});
+    } else {
+        refuse({"/route/remove", "no route " + number}, wish.asker);
+    }
+}
+
+void Endpoint::handle(const ListRoutes& wish) {
+    for (const auto& [number, line] : audience_.routes()) {
+        answer(wish.asker, "/route", {std::to_string(number), line});
+    }
+}
+
+void Endpoint::handle(const Ping& wish) {
+    answer(wish.asker, "/pong", {});
+}
+
+void Endpoint::handle(const Describe& wish) {
     for (const Address& address : address_table()) {
-        answer(asker, "/description", {address.path, usage(address), address.description});
+        answer(wish.asker, "/description", {address.path, usage(address), address.description});
+    }
+}
+
+void Endpoint::drop_dead() {
+    while (const auto gone = socket_.unreachable()) {
+        if (!audience_.drop(*gone)) continue;
+        const Peer peer = UdpSocket::peer(*gone);
+        tell(DroppedMessage{peer.host, peer.port});
+    }
+    for (const Peer& peer : audience_.drop_silent(wall_())) {
+        tell(DroppedMessage{peer.host, peer.port});
     }
 }
 
@@ -182,27 +246,35 @@ void Endpoint::send(const Outgoing& message) {
     const double lookahead = options_.lookahead;
     if (const auto* contact = std::get_if<ContactMessage>(&message)) {
         send_contact(*contact);
+        send_routed(event_of(*contact));
+    } else if (const auto* strike = std::get_if<StrikeMessage>(&message)) {
+        send_routed(event_of(*strike));
     } else if (const auto* pose = std::get_if<PoseMessage>(&message)) {
         broadcast(encode(*pose, lookahead), Feed::pose);
+        if (!audience_.wanted(EventKind::pose)) return;
+        for (const BodyPose& body : pose->bodies) send_routed(event_of(body, pose->wall));
+    } else if (const auto* scene = std::get_if<SceneMessage>(&message)) {
+        broadcast(encode(*scene, lookahead), Feed::pose);
     } else if (const auto* status = std::get_if<StatusMessage>(&message)) {
         broadcast(encode(*status, subscribers(), lookahead), Feed::all);
+        send_routed(event_of(*status));
     } else if (const auto* finished = std::get_if<FinishedMessage>(&message)) {
         broadcast(encode(*finished, lookahead), Feed::all);
     } else {
-        broadcast(encode(std::get<ErrorMessage>(message)), Feed::all);
+        broadcast(encode(std::get<DroppedMessage>(message)), Feed::all);
     }
 }
 
+void Endpoint::send_routed(const Event& event) {
+    audience_.route(event, [&](const Route& route, const sockaddr_in& to) {
+        const std::vector<Argument> values = arguments(route, event);
+        socket_.send(encode_routed(route.address, values, event.wall + options_.lookahead), to);
+    });
+}
+
 void Endpoint::broadcast(const Packet& packet, Feed feed) {
-    std::array<sockaddr_in, kMostSubscribers> to;
-    std::size_t count = 0;
-    {
-        const std::lock_guard lock(mutex_);
-        for (const Subscriber& s : subscribers_) {
-            const int wanted = static_cast<int>(s.feed) & static_cast<int>(feed);
-            if (wanted != 0) to[count++] = s.address;
-        }
-    }
+    Audience::Addresses to;
+    const std::size_t count = audience_.listeners(feed, to);
     for (std::size_t i = 0; i < count; ++i) socket_.send(packet, to[i]);
 }
 

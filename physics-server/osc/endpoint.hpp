@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "osc/audience.hpp"
 #include "osc/outgoing.hpp"
 #include "osc/udp_socket.hpp"
 #include "osc/wire.hpp"
@@ -24,6 +25,9 @@ struct EndpointOptions {
     std::string listen = "127.0.0.1";  ///< address to bind to
     int port = 7770;
     double lookahead = 0.030;  ///< [s]
+    /// Hosts that may be sent to at another's wish; always allowed are this machine and who asks.
+    std::vector<std::string> allow;
+    std::vector<std::string> routes;  ///< from the start, as lines of text
 };
 
 class Endpoint {
@@ -34,7 +38,10 @@ class Endpoint {
     ~Endpoint();
 
     [[nodiscard]] int port() const { return socket_.port(); }
-    [[nodiscard]] int subscribers() const;
+    [[nodiscard]] int subscribers() const { return audience_.subscribers(); }
+    [[nodiscard]] std::vector<std::pair<int, std::string>> routes() const {
+        return audience_.routes();
+    }
 
     /// Hands a message to the sending thread. Any thread; may take memory, waits for no I/O.
     void tell(Outgoing message);
@@ -44,34 +51,38 @@ class Endpoint {
     std::vector<Command> take_commands();
 
   private:
-    struct Subscriber {
-        Peer peer;
-        sockaddr_in address;
-        Feed feed;
-    };
     struct Repeat {
         double wall;
         Packet packet;
     };
     void hear();
-    void handle(const Command& command);
-    void subscribe(const Subscribe& wish);
-    void remove(const Peer& peer);
-    void describe(const Peer& asker);
+    bool handled(const Command& command);
+    void handle(const Subscribe& wish);
+    void handle(const Unsubscribe& wish);
+    void handle(const AddRoute& wish);
+    void handle(const ChangeRoute& wish);
+    void handle(const RemoveRoute& wish);
+    void handle(const ListRoutes& wish);
+    void handle(const Ping& wish);
+    void handle(const Describe& wish);
+    [[nodiscard]] sockaddr_in allowed_target(const Peer& to, const Peer& asker) const;
+    void drop_dead();
     void refuse(const Refusal& refusal, const Peer& sender);
     void send_loop();
     void send_contact(const ContactMessage& contact);
     void send_due(double now);
     void send(const Outgoing& message);
+    void send_routed(const Event& event);
     void broadcast(const Packet& packet, Feed feed);
 
     EndpointOptions options_;
     std::function<double()> wall_;
     UdpSocket socket_;
+    std::vector<in_addr_t> allowed_;  ///< numeric, of options.allow
+    Audience audience_;
 
     mutable std::mutex mutex_;  ///< guards all below but what the sending thread alone uses
     std::condition_variable wake_;
-    std::vector<Subscriber> subscribers_;
     std::vector<Command> commands_;
     std::deque<Outgoing> outgoing_;
     bool stopping_ = false;

@@ -23,6 +23,13 @@ struct ContactMessage {
     bool recontact = false;
 };
 
+/// A hand begins to prepare a stroke.
+struct StrikeMessage {
+    double wall = 0.0;  ///< now, wall clock [s]
+    std::int32_t hand = 0, stroke = -1;
+    float ahead = 0, velocity = 0, height = 0;  ///< to the impact [s], at it [m/s], before it [m]
+};
+
 struct BodyPose {
     std::string name;
     std::array<float, 3> position{};     ///< [m]
@@ -34,10 +41,34 @@ struct PoseMessage {
     std::vector<BodyPose> bodies;
 };
 
+struct BodyShape {
+    std::string name;
+    std::array<float, 3> middle{};  ///< against its centre of mass, its own frame [m]
+    std::array<float, 3> size{};    ///< along its own axes [m]
+};
+
+struct DrumShape {
+    std::int32_t drum = 0;
+    std::array<float, 3> middle{};  ///< of the head, world [m]
+    float radius = 0.0F;            ///< [m]
+};
+
+/// What there is to see: told each second to whom poses are told.
+struct SceneMessage {
+    double wall = 0.0;
+    std::vector<BodyShape> bodies;
+    std::vector<DrumShape> drums;
+};
+
 struct StatusMessage {
     double wall = 0.0, time = 0.0;  ///< wall clock and simulated time [s]
     float load = 0.0F;              ///< computing time over simulated time
     std::int32_t late_steps = 0, strokes = 0, contacts = 0;
+};
+
+/// A subscriber that was dropped because it listens no more.
+struct DroppedMessage {
+    std::string host, port;
 };
 
 /// The score is over and has rung out.
@@ -46,12 +77,7 @@ struct FinishedMessage {
     std::int32_t strokes = 0, contacts = 0;
 };
 
-struct ErrorMessage {
-    double wall = 0.0;
-    std::string about, reason;
-};
-
-using Outgoing =
-    std::variant<ContactMessage, PoseMessage, StatusMessage, FinishedMessage, ErrorMessage>;
+using Outgoing = std::variant<ContactMessage, StrikeMessage, PoseMessage, SceneMessage,
+                              StatusMessage, FinishedMessage, DroppedMessage>;
 
 }  // namespace percussionist::osc

@@ -43,6 +43,24 @@ UdpSocket::UdpSocket(const std::string& host, int port) {
         throw std::runtime_error("cannot listen on " + host + " port " + std::to_string(port) +
                                  ": " + std::strerror(error));
     }
+    const int on = 1;
+    setsockopt(fd_, IPPROTO_IP, IP_RECVERR, &on, sizeof on);
+}
+
+std::optional<sockaddr_in> UdpSocket::unreachable() {
+    sockaddr_in peer{};
+    char payload[1];
+    char control[512];
+    iovec piece{payload, sizeof payload};
+    msghdr message{};
+    message.msg_name = &peer;
+    message.msg_namelen = sizeof peer;
+    message.msg_iov = &piece;
+    message.msg_iovlen = 1;
+    message.msg_control = control;
+    message.msg_controllen = sizeof control;
+    if (recvmsg(fd_, &message, MSG_ERRQUEUE | MSG_DONTWAIT) < 0) return std::nullopt;
+    return peer;
 }
 
 UdpSocket::~UdpSocket() {
@@ -70,8 +88,16 @@ std::optional<UdpSocket::Received> UdpSocket::receive(std::span<char> buffer, in
 }
 
 bool UdpSocket::send(std::span<const char> bytes, const sockaddr_in& to) {
-    return sendto(fd_, bytes.data(), bytes.size(), MSG_DONTWAIT,
-                  reinterpret_cast<const sockaddr*>(&to), sizeof to) >= 0;
+    // What one peer's machine has answered before is reported by the next call, whoever that is to.
+    constexpr int kTries = 4;
+    for (int i = 0; i < kTries; ++i) {
+        if (sendto(fd_, bytes.data(), bytes.size(), MSG_DONTWAIT,
+                   reinterpret_cast<const sockaddr*>(&to), sizeof to) >= 0) {
+            return true;
+        }
+        if (errno != ECONNREFUSED && errno != EHOSTUNREACH) return false;
+    }
+    return false;
 }
 
 }  // namespace percussionist::osc

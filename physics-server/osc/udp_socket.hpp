@@ -34,6 +34,10 @@ class UdpSocket {
     /// False if the system refused it (nothing listens there, no route).
     bool send(std::span<const char> bytes, const sockaddr_in& to);
 
+    /// A peer to whom something was sent and whose machine has answered that nobody listens there;
+    /// nothing if there is none (any more).
+    std::optional<sockaddr_in> unreachable();
+
     /// Looks a host up; throws if there is none. May take seconds for a name.
     static sockaddr_in resolve(const std::string& host, const std::string& port);
     static Peer peer(const sockaddr_in& address);

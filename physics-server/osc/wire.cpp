@@ -56,6 +56,19 @@ lo_message make_message(const Values&... values) {
     return message;
 }
 
+/// Numbers become floats.
+lo_message make_message_of(std::span<const Argument> arguments) {
+    lo_message message = lo_message_new();
+    for (const Argument& argument : arguments) {
+        if (const auto* text = std::get_if<std::string>(&argument)) {
+            add(message, *text);
+        } else {
+            add(message, static_cast<float>(std::get<double>(argument)));
+        }
+    }
+    return message;
+}
+
 Bundle contact_bundle(const ContactMessage& c, double lookahead) {
     Bundle bundle = make_bundle(c.wall + lookahead);
     const float r = std::hypot(c.place[0], c.place[1]);
@@ -161,6 +174,21 @@ Packet encode(const PoseMessage& pose, double lookahead) {
     return serialise(bundle);
 }
 
+Packet encode(const SceneMessage& scene, double lookahead) {
+    Bundle bundle = make_bundle(scene.wall + lookahead);
+    for (const BodyShape& b : scene.bodies) {
+        lo_bundle_add_message(bundle.get(), "/body",
+                              make_message(b.name, b.middle[0], b.middle[1], b.middle[2], b.size[0],
+                                           b.size[1], b.size[2]));
+    }
+    for (const DrumShape& d : scene.drums) {
+        lo_bundle_add_message(
+            bundle.get(), "/drum",
+            make_message(d.drum, d.middle[0], d.middle[1], d.middle[2], d.radius));
+    }
+    return serialise(bundle);
+}
+
 Packet encode(const StatusMessage& s, int subscribers, double lookahead) {
     return one_message(s.wall + lookahead, "/status", s.time, s.load, s.late_steps, s.strokes,
                        s.contacts, static_cast<std::int32_t>(subscribers));
@@ -170,9 +198,15 @@ Packet encode(const FinishedMessage& f, double lookahead) {
     return one_message(f.wall + lookahead, "/finished", f.strokes, f.contacts);
 }
 
-Packet encode(const ErrorMessage& e) {
-    const std::string texts[] = {e.about, e.reason};
-    return encode_text("/error", texts);
+Packet encode(const DroppedMessage& d) {
+    const std::string texts[] = {d.host, d.port};
+    return encode_text("/dropped", texts);
+}
+
+Packet encode_routed(const std::string& address, std::span<const Argument> arguments, double tag) {
+    Bundle bundle = make_bundle(tag);
+    lo_bundle_add_message(bundle.get(), address.c_str(), make_message_of(arguments));
+    return serialise(bundle);
 }
 
 Packet encode_clock(double wall, double lookahead) {
@@ -185,14 +219,7 @@ Packet encode_text(const std::string& address, std::span<const std::string> text
 }
 
 Packet encode_message(const std::string& address, std::span<const Argument> arguments) {
-    lo_message message = lo_message_new();
-    for (const Argument& argument : arguments) {
-        if (const auto* text = std::get_if<std::string>(&argument)) {
-            add(message, *text);
-        } else {
-            add(message, static_cast<float>(std::get<double>(argument)));
-        }
-    }
+    lo_message message = make_message_of(arguments);
     std::size_t size = lo_message_length(message, address.c_str());
     Packet packet(size);
     lo_message_serialise(message, address.c_str(), packet.data(), &size);

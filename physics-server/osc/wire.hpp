@@ -19,9 +19,12 @@ using Packet = std::vector<char>;
 Packet encode(const ContactMessage& contact, std::span<const ContactMessage> earlier,
               double lookahead);
 Packet encode(const PoseMessage& pose, double lookahead);
+Packet encode(const SceneMessage& scene, double lookahead);
 Packet encode(const StatusMessage& status, int subscribers, double lookahead);
 Packet encode(const FinishedMessage& finished, double lookahead);
-Packet encode(const ErrorMessage& error);
+Packet encode(const DroppedMessage& dropped);
+/// A route's message, to be acted on at wall + lookahead; numbers as floats.
+Packet encode_routed(const std::string& address, std::span<const Argument> arguments, double tag);
 /// The instant of sending, announced with the lookahead: what a receiver sets its clock by.
 Packet encode_clock(double wall, double lookahead);
 /// A single message, to be acted on at once: of texts, or of numbers (floats) and texts.

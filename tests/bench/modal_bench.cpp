@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/modal/modal_drum.hpp"
+#include "core/modal/struck_membrane.hpp"
 
 namespace {
 
@@ -24,7 +25,8 @@ void count_modes(benchmark::State& state, double samples) {
 }
 
 StruckMembrane pushed(std::size_t modes) {
-    StruckMembrane head({}, {.t60_low = 1000, .t60_high = 1000}, modes, kRate);
+    // So low that all modes are within the band.
+    StruckMembrane head({.tension = 100.0}, Decay{.t60_low = 1000, .t60_high = 1000}, modes, kRate);
     head.place(0, 0.1, 0.0);
     std::array<Striker, 1> striker{{{.velocity = -2.0}}};
     for (int i = 0; i < 100; ++i) {
@@ -33,28 +35,75 @@ StruckMembrane pushed(std::size_t modes) {
     return head;
 }
 
-/// The head rings by itself, listened to at one point.
+/// The head rings by itself, listened to at range(1) points.
 void ring(benchmark::State& state) {
     auto head = pushed(static_cast<std::size_t>(state.range(0)));
-    const auto shapes = head.shapes(0.2, 2.0);
-    ModeBank::VelocityWeights weights{shapes, shapes};
-    head.bank().set_weights(shapes, weights);
-    std::array<double, ModeBank::kMostAtOnce> out{};
+    std::vector<ModeBank::Weights> pickups;
+    for (int i = 0; i < state.range(1); ++i) {
+        const auto shapes = head.shapes(0.2 - 0.05 * i, 2.0);
+        pickups.push_back(ModeBank::Weights{shapes, shapes, {}});
+        head.bank().read_velocity(shapes, pickups.back());
+    }
+    std::array<double, ModeBank::kChunk> out{};
     for (auto _ : state) {
-        head.bank().ring(weights, out);
+        for (const auto& weights : pickups) {
+            head.bank().ring(weights, out);
+            benchmark::DoNotOptimize(out);
+        }
+        head.bank().advance(out.size());
+    }
+    count_modes(state, static_cast<double>(out.size()));
+}
+
+/// The loops alone, as every x86-64 processor can run them and as this one runs them best; all
+/// modes of one bank, a force each sample, or none and range(1) pickups.
+void loops_of(benchmark::State& state, const ModeLoops& loops) {
+    const auto size = static_cast<std::size_t>(state.range(0));
+    ModeBank bank(size, 1 / kRate, loops);
+    Values phi(bank.padded(), 0.1);
+    for (std::size_t k = 0; k < size; ++k) {
+        bank.set(k, {.angular_frequency = 300 + 10.0 * static_cast<double>(k), .loss = 1e-3});
+    }
+    const std::array<ModeBank::Push, 1> push{{{1.0, phi.data()}}};
+    bank.swing(push, phi);
+    ModeBank::Weights weights{phi, phi, {}};
+    std::array<double, ModeBank::kChunk> out{};
+    for (auto _ : state) {
+        if (state.range(1) == 0) {
+            for (double& sample : out) {
+                bank.swing(push, phi);
+                sample = bank.reading(weights);
+            }
+        }
+        for (int i = 0; i < state.range(1); ++i) {
+            bank.ring(weights, out);
+        }
+        bank.advance(state.range(1) > 0 ? out.size() : 0);
         benchmark::DoNotOptimize(out);
     }
     count_modes(state, static_cast<double>(out.size()));
 }
 
-/// A mallet lies on the head and is pressed down: contact at each sample.
+void loops_best(benchmark::State& state) {
+    loops_of(state, ModeLoops::best());
+}
+void loops_baseline(benchmark::State& state) {
+    loops_of(state, ModeLoops::baseline());
+}
+
+/// A mallet lies on the head and is pressed down: contact at each sample, and a pickup.
 void contact(benchmark::State& state) {
     auto head = pushed(static_cast<std::size_t>(state.range(0)));
     head.place(0, 0.1, 0.0);
+    const auto shapes = head.shapes(0.2, 2.0);
+    ModeBank::Weights weights{shapes, shapes, {}};
+    head.bank().read_velocity(shapes, weights);
+    head.listen(0, weights);
     std::array<Striker, 1> striker{{{.position = head.displacement(0), .acceleration = -1000.0}}};
     long touching = 0;
     for (auto _ : state) {
         head.step(striker);
+        benchmark::DoNotOptimize(head.reading(0));
         touching += striker[0].force > 0.0;
     }
     count_modes(state, 1.0);
@@ -67,7 +116,7 @@ void lossless_second(benchmark::State& state) {
     constexpr double kNever = std::numeric_limits<double>::infinity();
     double worst = 0.0;
     for (auto _ : state) {
-        StruckMembrane head({}, {.t60_low = kNever, .t60_high = kNever}, 240, kRate);
+        StruckMembrane head({}, Decay{.t60_low = kNever, .t60_high = kNever}, 240, kRate);
         head.place(0, 0.12, 0.3);
         std::array<Striker, 1> striker{{{.velocity = -3.0, .acceleration = 0.0}}};
         striker[0].mallet.stiffness = std::pow(10.0, static_cast<double>(state.range(0)));
@@ -99,7 +148,7 @@ void contact_equation(benchmark::State& state) {
 
 /// The whole instrument in blocks of 64, ten strokes a second; "load" is the part of one core.
 void drum(benchmark::State& state) {
-    ModalDrum drum({.modes = static_cast<std::size_t>(state.range(0))}, kRate);
+    ModalDrum drum({.choice = {.count = static_cast<std::size_t>(state.range(0))}}, kRate);
     std::array<float, 64> block{};
     for (auto _ : state) {
         drum.strike(100, {});
@@ -143,19 +192,21 @@ void tune(benchmark::State& state) {
 void set_modes(benchmark::State& state) {
     ModalDrum drum({}, kRate);
     for (auto _ : state) {
-        drum.set_modes(static_cast<std::size_t>(state.range(0)));
+        drum.choose({.count = static_cast<std::size_t>(state.range(0))});
     }
 }
 
-BENCHMARK(ring)->Arg(16)->Arg(120)->Arg(240)->Arg(1024);
-BENCHMARK(contact)->Arg(16)->Arg(120)->Arg(240)->Arg(1024);
+BENCHMARK(ring)->ArgsProduct({{16, 256, 1024, 4096, 8192}, {1, 2}});
+BENCHMARK(loops_best)->ArgsProduct({{256, 1024}, {0, 1, 2}});
+BENCHMARK(loops_baseline)->ArgsProduct({{256, 1024}, {0, 1, 2}});
+BENCHMARK(contact)->Arg(16)->Arg(256)->Arg(512)->Arg(1024)->Arg(4096);
 BENCHMARK(contact_equation);
 BENCHMARK(lossless_second)->DenseRange(5, 11, 2)->Iterations(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(drum)->Arg(120)->Arg(240)->Arg(1024);
+BENCHMARK(drum)->Arg(120)->Arg(240)->Arg(1024)->Arg(4096)->Arg(8192);
 BENCHMARK(silent_drum);
-BENCHMARK(place)->Arg(120)->Arg(240)->Arg(1024);
-BENCHMARK(set_modes)->Arg(240)->Arg(1024)->Unit(benchmark::kMillisecond);
-BENCHMARK(tune)->Arg(120)->Arg(240)->Arg(1024);
+BENCHMARK(place)->Arg(240)->Arg(1024)->Arg(8192);
+BENCHMARK(set_modes)->Arg(240)->Arg(1024)->Arg(8192)->Unit(benchmark::kMillisecond);
+BENCHMARK(tune)->Arg(240)->Arg(1024)->Arg(8192);
 
 }  // namespace
 

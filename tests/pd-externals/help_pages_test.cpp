@@ -5,9 +5,14 @@
 #include <iterator>
 #include <string>
 
+#include "objects/matrix_objects.hpp"
 #include "pdx/object.hpp"
 
+extern "C" void setup_drum0x2dlisten_tilde();
 extern "C" void setup_modal0x2ddrum_tilde();
+extern "C" void setup_osc0x2dreceive();
+extern "C" void fastrak_tilde_setup();
+extern "C" void setup_gesture0x2dfeatures();
 
 using namespace percussionist::pdx;
 
@@ -44,6 +49,10 @@ void check_page(const std::string& name) {
         CAPTURE(line);
         CHECK(page.find(line) != std::string::npos);
     }
+    for (const auto& inlet : table->message_inlets) {
+        CAPTURE(inlet.description);
+        CHECK(page.find(inlet.description) != std::string::npos);
+    }
     for (const auto& outlet : table->outlets) {
         CAPTURE(outlet.description);
         CHECK(page.find(outlet.description) != std::string::npos);
@@ -58,8 +67,25 @@ void check_page(const std::string& name) {
 }  // namespace
 
 TEST_CASE("a help patch says what its object's table says") {
-    if (!find_class("modal-drum~")) {
-        setup_modal0x2ddrum_tilde();
+    const std::pair<const char*, void (*)()> objects[] = {
+        {"modal-drum~", setup_modal0x2ddrum_tilde},
+        {"fastrak~", fastrak_tilde_setup},
+        {"gesture-features", setup_gesture0x2dfeatures},
+        {"osc-receive", setup_osc0x2dreceive},
+        {"drum-listen~", setup_drum0x2dlisten_tilde}};
+    for (const auto& [name, setup] : objects) {
+        if (!find_class(name)) {
+            setup();
+        }
+        check_page(name);
     }
-    check_page("modal-drum~");
+}
+
+TEST_CASE("so do those of the matrix objects") {
+    for (const std::string& name : percussionist::objects::matrix_object_names()) {
+        if (!find_class(name)) {
+            percussionist::objects::add_matrix_object(name.c_str());
+        }
+        check_page(name);
+    }
 }

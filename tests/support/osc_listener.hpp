@@ -50,9 +50,9 @@ class OscListener {
         const auto found = texts_.find(address);
         return found == texts_.end() ? std::vector<std::string>{} : found->second;
     }
-    /// Waits until an address has been heard; gives up after some seconds.
+    /// Waits until an address has been heard; gives up after a minute.
     bool hears(const std::string& address, int times = 1) const {
-        for (int i = 0; i < 5000 && count(address) < times; ++i) {
+        for (int i = 0; i < 60000 && count(address) < times; ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         return count(address) >= times;

@@ -28,7 +28,7 @@ Bounce bounce(const Mallet& mallet, double speed, double period = kPeriod) {
     const double compliance = 0.5 * period * period / mallet.mass;
     const double before = 0.5 * mallet.mass * speed * speed;
     do {
-        force = contact_force(mallet, {d, period * rate, compliance, period}, force);
+        force = contact_force(mallet, {d, period * rate, compliance, period, rate}, force);
         d += period * rate - compliance * force;
         rate -= period * force / mallet.mass;
         result.duration += period;
@@ -78,11 +78,15 @@ TEST_CASE("a lossless bounce lasts and dents as the closed formulas say") {
 }
 
 TEST_CASE("off a rigid wall, v - ln(1 + mu v) / mu is the same after as before") {
-    for (const double mu : {0.5, 5.0, 100.0}) {
+    for (const double mu : {0.5, 5.0, 20.0, 100.0}) {
         for (const double exponent : {1.5, 2.3, 3.5}) {
             const Bounce b = bounce(
                 {.mass = 0.02, .stiffness = 1e7, .exponent = exponent, .dissipation = mu}, 3.0);
-            CHECK(b.rebound == doctest::Approx(wall_rebound(3.0, mu)).epsilon(0.01));
+            CHECK(b.rebound == doctest::Approx(wall_rebound(3.0, mu)).epsilon(1e-4));
+        }
+        for (const double stiffness : {1e5, 1e9}) {
+            const Bounce b = bounce({.mass = 0.02, .stiffness = stiffness, .dissipation = mu}, 3.0);
+            CHECK(b.rebound == doctest::Approx(wall_rebound(3.0, mu)).epsilon(1e-4));
         }
     }
     CHECK(bounce({.mass = 0.02, .stiffness = 1e7, .dissipation = 0.5}, 3.0).rebound ==
@@ -127,6 +131,22 @@ TEST_CASE("the force solves its equation, from whatever guess") {
         REQUIRE(std::abs(force * y - work) < 1e-12 * energy);
         REQUIRE(contact_force(mallet, step, 1e5 * unit(random)) ==
                 doctest::Approx(force).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("the linear contact is the solution of its equation, and as lossless") {
+    const Mallet linear{.mass = 0.02, .stiffness = 3000, .exponent = 1, .dissipation = 0};
+    const Bounce b = bounce(linear, 3.0);
+    CHECK(b.worst_energy_error < 1e-12);
+    CHECK(b.duration ==
+          doctest::Approx(std::numbers::pi * std::sqrt(linear.mass / linear.stiffness))
+              .epsilon(1e-3));
+    Mallet nearly = linear;
+    nearly.exponent = 1.0000001;
+    for (const double free : {1e-5, -1e-5, 3e-4}) {
+        const ContactStep step{1e-4, free, 1e-8, kPeriod};
+        CHECK(contact_force(linear, step, 0.0) ==
+              doctest::Approx(contact_force(nearly, step, 0.0)).epsilon(1e-5));
     }
 }
 

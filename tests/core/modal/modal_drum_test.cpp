@@ -153,20 +153,20 @@ TEST_CASE("a drum tuned while it sounds neither clicks nor dies") {
     }
     for (int i = 0; i < 40; ++i) {
         const double last = sound.back();
-        drum.tune({.tension = 3500.0 + 50 * i}, {});
+        drum.tune(Membrane{.tension = 3500.0 + 50 * i}, Decay{});
         drum.process(std::span(sound));
         CHECK(std::abs(sound[0] - last) < 1.5 * step);
     }
     CHECK(std::abs(sound[0]) > 0.0);
-    drum.tune({.radius = 0.2}, {});
-    drum.set_modes(64);
+    drum.tune(Membrane{.radius = 0.2}, Decay{});
+    drum.choose({.count = 64});
     drum.process(std::span(sound));
-    drum.set_modes(1000);
+    drum.choose({.count = 1000});
     drum.process(std::span(sound));
-    drum.set_modes(1);
+    drum.choose({.count = 1});
     drum.process(std::span(sound));
-    drum.set_modes(500);
-    drum.set_pickup(0.05, 1.0);
+    drum.choose({.count = 500});
+    drum.set_pickup(0, {.r = 0.05, .theta = 1.0});
     drum.process(std::span(sound));
     CHECK(std::all_of(sound.begin(), sound.end(), [](double x) { return std::isfinite(x); }));
     CHECK(!drum.silent());
@@ -208,9 +208,156 @@ TEST_CASE("a stroke that cannot be is refused and changes nothing") {
     CHECK_THROWS_AS(drum.strike(0, {.r = -1}), std::invalid_argument);
     CHECK_THROWS_AS(drum.strike(0, {.theta = nan}), std::invalid_argument);
     CHECK_THROWS_AS(drum.strike(0, {.mallet = {.mass = 0}}), std::invalid_argument);
-    CHECK_THROWS_AS(drum.set_modes(0), std::invalid_argument);
+    CHECK_THROWS_AS(drum.choose({.count = 0}), std::invalid_argument);
     CHECK_THROWS_AS(drum.mute(0), std::invalid_argument);
-    CHECK_THROWS_AS(drum.tune({.tension = nan}, {}), std::invalid_argument);
+    CHECK_THROWS_AS(drum.tune(Membrane{.tension = nan}, Decay{}), std::invalid_argument);
     CHECK(drum.silent());
-    CHECK(drum.settings().membrane.tension == 3500.0);
+    CHECK(std::get<Membrane>(drum.settings().body).tension == 3500.0);
+}
+
+namespace {
+
+/// A drum played through all its signals; what its pickups hear.
+std::vector<std::vector<double>> heard(ModalDrum& drum, std::size_t length, std::size_t block,
+                                       const std::vector<double>& force,
+                                       const std::vector<double>& position) {
+    std::vector<std::vector<double>> out(drum.settings().pickups.size(),
+                                         std::vector<double>(length));
+    for (std::size_t start = 0; start < length; start += block) {
+        std::vector<double*> outputs;
+        for (auto& signal : out) {
+            outputs.push_back(signal.data() + start);
+        }
+        drum.process(
+            DrumSignals<double>{.outputs = outputs,
+                                .size = std::min(block, length - start),
+                                .force = force.empty() ? nullptr : force.data() + start,
+                                .position = position.empty() ? nullptr : position.data() + start});
+    }
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("forces, followers, slides, hands and several pickups sound the same in any blocks") {
+    const std::size_t length = 12000;
+    std::vector<double> force(length, 0.0), position(length, 0.05);
+    for (std::size_t n = 3000; n < 3100; ++n) {
+        force[n] = -5;
+    }
+    for (std::size_t n = 6000; n < 7000; ++n) {
+        position[n] = 0.004 * std::cos(2 * std::numbers::pi * static_cast<double>(n) / 1000);
+    }
+    const auto played_in = [&](std::size_t block) {
+        ModalDrum drum({.body = Membrane{.stretch = 3e5},
+                        .pickups = {{},
+                                    {.hears = Pickup::Hears::position},
+                                    {.hears = Pickup::Hears::pressure}}},
+                       kRate);
+        drum.lay(0, {.r = 0.2, .area = 1e-4, .pressure = 500});
+        drum.follow(0.1, 0.5, {});
+        drum.force_at(0.1, 2.0);
+        drum.strike(100, {.slide_x = 3.0});
+        return heard(drum, length, block, force, position);
+    };
+    const auto reference = played_in(length);
+    for (const auto& signal : reference) {
+        CHECK(peak(signal) > 0.01);
+        CHECK(peak(signal) <= 1.0);
+    }
+    CHECK(played_in(1000) == reference);
+    CHECK(played_in(100) == reference);
+}
+
+TEST_CASE("another pickup, body or number of modes is faded in: nothing clicks") {
+    const auto largest_step = [](const std::vector<double>& sound, std::size_t from,
+                                 std::size_t to) {
+        double most = 0.0;
+        for (std::size_t i = from; i < to; ++i) {
+            most = std::max(most, std::abs(sound[i] - sound[i - 1]));
+        }
+        return most;
+    };
+    for (int change = 0; change < 6; ++change) {
+        ModalDrum drum({.choice = {.count = 100}}, kRate);
+        drum.strike(0, {});
+        std::vector<double> sound(4800);
+        drum.process(std::span(sound).first(2400));
+        const double before = largest_step(sound, 1200, 2400);
+        change == 0   ? drum.set_pickup(0, {.r = 0.05, .theta = 5.0})
+        : change == 1 ? drum.choose({.count = 10, .skip = 0})
+        : change == 2 ? drum.choose({.count = 300, .skip = 4})
+        : change == 3 ? drum.tune(Membrane{.radius = 0.25}, Decay{})
+        : change == 4 ? drum.tune(Plate{}, Decay{})
+                      : drum.tune(Membrane{.tension = 500}, Decay{});
+        drum.process(std::span(sound).last(2400));
+        CAPTURE(change);
+        CHECK(largest_step(sound, 2400, 2500) < 1.5 * before + 0.02);
+        CHECK(peak({sound.end() - 1000, sound.end()}) > 0.0);
+    }
+}
+
+TEST_CASE("a mode is 80 dB down when it is struck, or heard, on its node") {
+    const auto level_of = [](double r, double theta, double pickup_r, double pickup_theta,
+                             std::size_t k) {
+        ModalDrum drum({.pickups = {{.r = pickup_r, .theta = pickup_theta}}}, kRate);
+        drum.strike(0, {.r = r, .theta = theta});
+        std::vector<double> sound(96000);
+        drum.process(std::span(sound));
+        const double w = membrane_modes({}, 20)[k].angular_frequency;
+        double re = 0.0, im = 0.0;
+        for (std::size_t i = 4800; i < sound.size(); ++i) {
+            const double t = static_cast<double>(i) / kRate;
+            const double hann =
+                1 - std::cos(2 * std::numbers::pi * static_cast<double>(i - 4800) / 91200);
+            re += hann * sound[i] * std::cos(w * t);
+            im += hann * sound[i] * std::sin(w * t);
+        }
+        return std::hypot(re, im);
+    };
+    // Mode 1: one diameter, cosine: still along theta = pi / 2.
+    const double quarter = std::numbers::pi / 2;
+    const double open = level_of(0.15, 0.0, 0.15, 0.0, 1);
+    CHECK(level_of(0.15, quarter, 0.15, 0.0, 1) < 1e-4 * open);
+    CHECK(level_of(0.15, 0.0, 0.15, quarter, 1) < 1e-4 * open);
+}
+
+TEST_CASE("modes given outright ring at their frequencies, pairs turned against each other") {
+    GivenModes given;
+    given.places = {0.0, 0.5, 1.0};
+    given.modes = {{200, 1.0, 0, {8, 4, 0}}, {331, 0.8, 1, {0, 6, 0}}};
+    ModalDrum drum({.body = given}, kRate);
+    CHECK(drum.head().resonator().size() == 3);
+    drum.strike(0, {.r = 0.1});
+    std::vector<double> sound(24000);
+    drum.process(std::span(sound));
+    CHECK(peak(sound) > 0.01);
+    drum.tune(Membrane{}, Decay{});
+    drum.process(std::span(sound));
+    CHECK(drum.head().resonator().size() == 240);
+    CHECK(std::all_of(sound.begin(), sound.end(), [](double x) { return std::abs(x) <= 1.0; }));
+}
+
+TEST_CASE("loops for any processor and the best give the same bits") {
+    ModeBank plain(100, 1 / kRate, ModeLoops::baseline()), best(100, 1 / kRate, ModeLoops::best());
+    Values phi(plain.padded(), 0.0);
+    for (std::size_t k = 0; k < 100; ++k) {
+        const double n = static_cast<double>(k);
+        plain.set(k, {300 + 71 * n, 3 + n, 0.02});
+        best.set(k, {300 + 71 * n, 3 + n, 0.02});
+        phi[k] = std::cos(n * n);
+    }
+    ModeBank::Weights weights{phi, phi, {}};
+    const std::array<ModeBank::Push, 1> push{{{1.7, phi.data()}}};
+    std::array<double, ModeBank::kChunk> a{}, b{};
+    for (int i = 0; i < 20; ++i) {
+        CHECK(plain.swing(push, phi) == best.swing(push, phi));
+        CHECK(plain.reading(weights) == best.reading(weights));
+        plain.ring(weights, a);
+        best.ring(weights, b);
+        CHECK(a == b);
+        plain.advance(37);
+        best.advance(37);
+    }
+    CHECK(plain.energy() == best.energy());
 }

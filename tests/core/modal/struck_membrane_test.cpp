@@ -112,10 +112,10 @@ TEST_CASE("modes ring at the frequencies of theory and die in the time set") {
         head.rest();
         head.place(0, 0.15, 0.2);
         knock(head);
-        std::vector<double> only(head.bank().padded(), 0.0);
+        Values only(head.bank().padded(), 0.0);
         only[k] = 1.0;
         const double w = head.modes()[k].angular_frequency;
-        const double s = loss(decay, head.modes()[0].angular_frequency, w);
+        const double s = loss_at(decay, head.modes()[0].angular_frequency, w);
         // Demodulated at the frequency of theory, the phase stands still; the level falls as set.
         Striker away[] = {{.mallet = {}, .position = 1.0}};
         double re[2] = {}, im[2] = {};
@@ -136,8 +136,8 @@ TEST_CASE("modes ring at the frequencies of theory and die in the time set") {
         CHECK(std::hypot(re[1], im[1]) / std::hypot(re[0], im[0]) ==
               doctest::Approx(1.0).epsilon(0.005));
     }
-    CHECK(std::log(1000.0) / loss(decay, 100, 100) == doctest::Approx(0.9));
-    CHECK(std::log(1000.0) / loss(decay, 100, 2 * pi * 2000) == doctest::Approx(0.2));
+    CHECK(std::log(1000.0) / loss_at(decay, 100, 100) == doctest::Approx(0.9));
+    CHECK(std::log(1000.0) / loss_at(decay, 100, 2 * pi * 2000) == doctest::Approx(0.2));
 }
 
 TEST_CASE("what A feels of B is what B feels of A") {
@@ -168,7 +168,7 @@ TEST_CASE("a mode struck on its node stays silent, and is not heard there") {
     head.place(0, 0.0, 0.0);  // the middle: a node of every mode with diameters
     knock(head);
     for (std::size_t k = 0; k < 30; ++k) {
-        std::vector<double> only(head.bank().padded(), 0.0);
+        Values only(head.bank().padded(), 0.0);
         only[k] = 1.0;
         if (head.modes()[k].diameters > 0) {
             CHECK(head.bank().displacement(only) == 0.0);
@@ -223,6 +223,6 @@ TEST_CASE("strikers and places out of range do no harm") {
     }
     CHECK(std::isfinite(head.bank().energy()));
     CHECK_THROWS_AS(StruckMembrane({}, {}, 20, 0.0), std::invalid_argument);
-    CHECK_THROWS_AS(StruckMembrane({}, {.t60_low = 0.1, .t60_high = 1}, 20, kRate),
+    CHECK_THROWS_AS(StruckMembrane({}, Decay{.t60_low = 0.1, .t60_high = 1}, 20, kRate),
                     std::invalid_argument);
 }

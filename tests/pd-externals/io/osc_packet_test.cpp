@@ -11,20 +11,6 @@ using namespace percussionist::test;
 
 namespace {
 
-/// One of everything.
-OscBytes rich_packet() {
-    OscBytes blob = osc_int(3);
-    append(blob, {7, 8, 255, 0});
-    const OscBytes message =
-        osc_message("/all", "ifdhtsScrmbTFNI[ii]",
-                    {osc_int(-5), osc_float(0.5), osc_double(1e-3), big_endian(1ULL << 40U, 8),
-                     big_endian(3ULL << 32U, 8), osc_text("word"), osc_text("symbol"), osc_int('x'),
-                     osc_int(0x01020304), osc_int(0x90407F00), blob, osc_int(1), osc_int(2)});
-    return osc_bundle(osc_tag(1.0),
-                      {message, osc_bundle(osc_tag(0.5), {message, osc_message("/b", "", {})}),
-                       osc_bundle(kImmediately, {osc_text("/no-types")})});
-}
-
 std::string refusal(const OscBytes& bytes) {
     try {
         read_osc(bytes);

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "app/route_file.hpp"
 #include "support/osc_listener.hpp"
 
 using namespace percussionist;
@@ -127,6 +128,74 @@ TEST_CASE("server: unsubscribed, one hears no more") {
         REQUIRE(asker.hears("/pong", i));
     }
     CHECK(asker.count("/status") <= before + 1);
+}
+
+TEST_CASE("server: a route sends what it names to whom it names, until it is removed") {
+    RunningServer server;
+    OscListener asker(server.port());
+    OscListener target(server.port());
+    const std::string to = " to 127.0.0.1:" + std::to_string(target.port());
+    asker.send("/route/add", {"contact" + to + " /hard velocity when velocity 2 99"});
+    asker.send("/route/add", {"contact" + to + " /any"});
+    asker.send("/route/add", {"strike" + to + " /soon hand ahead"});
+    asker.send("/route/add", {"pose" + to + " /stick x y z when body right_stick"});
+    REQUIRE(asker.hears("/route", 4));
+    asker.send("/play");
+    REQUIRE(target.hears("/any", 20));
+    CHECK(target.count("/soon") >= 20);
+    CHECK(target.count("/hard") > 0);
+    CHECK(target.count("/hard") < target.count("/any"));
+    CHECK(target.hears("/stick"));
+    asker.send(osc::encode_message("/route/remove", std::vector<osc::Argument>{4.0}));
+    REQUIRE(asker.hears("/reply"));
+    asker.send("/route/list");
+    REQUIRE(asker.hears("/route", 7));
+}
+
+TEST_CASE("server: nobody can have a third party sent to") {
+    RunningServer server;
+    OscListener asker(server.port());
+    asker.send("/route/add", {"contact to 10.1.2.3:9000 /hit"});
+    asker.send(osc::encode_message(
+        "/subscribe",
+        std::vector<osc::Argument>{9000.0, std::string("all"), std::string("10.1.2.3")}));
+    REQUIRE(asker.hears("/error", 2));
+    CHECK(asker.texts("/error").at(1).find("--allow") != std::string::npos);
+    CHECK(asker.texts("/error").at(3).find("--allow") != std::string::npos);
+}
+
+TEST_CASE("server: routes are saved by a plain name, and nowhere else") {
+    const auto folder = std::filesystem::temp_directory_path() / "percussionist-routes";
+    std::filesystem::create_directories(folder);
+    app::ServeOptions options;
+    options.score_folder = folder;
+    RunningServer server(options);
+    OscListener asker(server.port());
+    asker.send("/route/add", {"status to 127.0.0.1:9000 /s load*100"});
+    REQUIRE(asker.hears("/route"));
+    asker.send("/route/save", {"../escape"});
+    REQUIRE(asker.hears("/error"));
+    asker.send("/route/save", {"mine"});
+    REQUIRE(asker.hears("/reply"));
+    const auto saved = app::read_routes(folder / "mine.routes");
+    REQUIRE(saved.size() == 1);
+    CHECK(saved[0] == "status to 127.0.0.1:9000 /s load*100");
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("server: a listener that has gone is dropped, and the others are told") {
+    RunningServer server;
+    OscListener stays(server.port());
+    stays.send(subscription(stays, "sound"));
+    int gone = 0;
+    {
+        OscListener leaves(server.port());
+        leaves.send(subscription(leaves, "sound"));
+        REQUIRE(leaves.hears("/status"));
+        gone = leaves.port();
+    }
+    REQUIRE(stays.hears("/dropped"));
+    CHECK(stays.texts("/dropped").at(1) == std::to_string(gone));
 }
 
 TEST_CASE("server: a port that is taken is one clear error") {

@@ -130,7 +130,8 @@ TEST_CASE("a drum that cannot be is not made, and says why") {
     CHECK(host.errors().at(0) ==
           "modal-drum~: radius: expected a number from 0.01 to 5 [m], got -0.3");
     CHECK(create(host, {"big"}) == nullptr);
-    CHECK(create(host, {0.3, 3500.0, 0.26, 1.0}) == nullptr);
+    CHECK(create(host, {0.3, 3500.0, 0.26, 9.0}) == nullptr);
+    CHECK(create(host, {0.3, 3500.0, 0.26, 1.0, 1.0}) == nullptr);
     CHECK(create(host, {0.3, 3500.0, 0.26}) != nullptr);
 }
 

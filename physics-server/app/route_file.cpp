@@ -1,0 +1,59 @@
+#include "app/route_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <stdexcept>
+
+#include "osc/route.hpp"
+
+namespace percussionist::app {
+
+namespace {
+
+bool plain(const std::string& name) {
+    return !name.empty() && name.size() <= 64 &&
+           std::all_of(name.begin(), name.end(), [](unsigned char c) {
+               return std::isalnum(c) != 0 || c == '-' || c == '_';
+           });
+}
+
+}  // namespace
+
+std::vector<std::string> read_routes(const std::filesystem::path& path) {
+    std::ifstream in(path);
+    if (!in) throw std::runtime_error(path.string() + ": cannot be opened");
+    std::vector<std::string> routes;
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        line = line.substr(0, line.find('#'));
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        try {
+            osc::parse_route(line);
+        } catch (const std::invalid_argument& error) {
+            throw std::runtime_error(path.string() + ": line " + std::to_string(number) + ": " +
+                                     error.what());
+        }
+        routes.push_back(line);
+    }
+    return routes;
+}
+
+void write_routes(const std::filesystem::path& folder, const std::string& name,
+                  const std::vector<std::pair<int, std::string>>& routes) {
+    if (!plain(name)) {
+        throw std::runtime_error("expected a name of letters, digits, - and _, got '" + name + "'");
+    }
+    const std::filesystem::path path = folder / (name + ".routes");
+    const std::filesystem::path fresh = folder / (name + ".routes.new");
+    {
+        std::ofstream out(fresh);
+        for (const auto& [number, line] : routes) out << line << '\n';
+        out.flush();
+        if (!out) throw std::runtime_error(path.string() + ": cannot be written");
+    }
+    std::filesystem::rename(fresh, path);
+}
+
+}  // namespace percussionist::app

@@ -1,0 +1,23 @@
+// A picture of a transcription: the spectrogram above, what was heard in it below.
+//
+// Each class has a row; a disc at each stroke, the larger the louder and the fainter the less
+// sure. Lines mark the attacks in the spectrogram, and beats and bars below. SVG; the spectrogram
+// is a PNG within it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/listening/beats.hpp"
+#include "core/listening/transcription.hpp"
+
+namespace percussionist::files {
+
+/// `title` stands above the picture.
+std::string spectrogram_svg(const listening::Transcription& transcription,
+                            const listening::Beats& beats, const std::string& title);
+
+/// Throws std::runtime_error where the file cannot be written.
+void write_text(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace percussionist::files

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# layering.sh: dependencies point one way. For each folder, the project's own folders it may include,
+# and the foreign headers that only it may.
+set -u
+cd "$(dirname "$(readlink -f "$0")")/.."
+failed=0
+
+complain() {
+    echo "$1"
+    failed=1
+}
+
+# may FOLDER ALLOWED...: what files of FOLDER include of ours lies in one of ALLOWED.
+may() {
+    local folder=$1 line
+    shift
+    local allowed=$(IFS='|'; echo "$*")
+    [ -d "$folder" ] || return 0
+    while IFS= read -r line; do
+        complain "$line: $folder may include only of: $*"
+    done < <(grep -rn '#include "' "$folder" | grep -vE "#include \"($allowed)/")
+}
+
+# only HEADERS FOLDER: nothing but FOLDER includes them.
+only() {
+    local line
+    while IFS= read -r line; do
+        complain "$line: only $2 may include it"
+    done < <(grep -rnE "#include <($1)>" core pd-externals physics-server | grep -v "^$2/")
+}
+
+may core core
+may pd-externals/io io core
+may pd-externals/pdx pdx core
+may pd-externals/objects objects pdx io core
+may physics-server/body body core
+may physics-server/sim sim body core
+may physics-server/osc osc core
+may physics-server/files files core
+may physics-server/tracker tracker core
+may physics-server/app app sim body osc files tracker core
+
+only 'm_pd\.h' pd-externals/pdx
+only 'ode/.*' physics-server/sim
+only 'lo/.*' physics-server/osc
+only 'libserialport\.h' pd-externals/io
+only 'sndfile.*|pugixml.*' physics-server/files
+
+while IFS= read -r line; do
+    complain "$line: core knows no thread, file or clock"
+done < <(grep -rnE '#include <(thread|mutex|condition_variable|future|fstream|filesystem|chrono|ctime|sys/.*|unistd\.h)>' core)
+
+exit "$failed"
