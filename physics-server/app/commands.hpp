@@ -28,6 +28,8 @@ void add_track_command(CLI::App& program);
 void add_gestures_command(CLI::App& program);
 /// limits: joint limits out of a captured motion.
 void add_limits_command(CLI::App& program);
+/// convert: a recording as a WAV that Pd plays in time.
+void add_convert_command(CLI::App& program);
 /// bench: how fast the simulation is.
 void add_bench_command(CLI::App& program);
 

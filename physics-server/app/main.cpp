@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
         add_track_command(program);
         add_gestures_command(program);
         add_limits_command(program);
+        add_convert_command(program);
         add_bench_command(program);
         add_modes_command(program);
         add_drum_command(program);

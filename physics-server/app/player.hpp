@@ -38,6 +38,8 @@ class Player {
     /// To be called before each step of the simulation.
     void advance();
 
+    /// When the score's time 0 is, simulated [s].
+    [[nodiscard]] double origin() const { return origin_; }
     [[nodiscard]] bool playing() const { return playing_; }
     /// When the last stroke strikes, simulated [s]; meaningful once the score has ended.
     [[nodiscard]] double last_impact() const { return last_impact_; }

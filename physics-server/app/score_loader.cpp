@@ -6,12 +6,33 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "app/drum_midi.hpp"
+#include "core/listening/beats.hpp"
+#include "core/listening/transcription.hpp"
 #include "files/midi_file.hpp"
 #include "files/musicxml_file.hpp"
+#include "files/wav_file.hpp"
 
 namespace percussionist::app {
 
 namespace {
+
+bool is_recording(const std::filesystem::path& path) {
+    const std::string kind = path.extension().string();
+    return kind == ".wav" || kind == ".flac" || kind == ".ogg" || kind == ".aif" ||
+           kind == ".aiff";
+}
+
+/// What is heard of drums in it.
+score::Score listen_to(const std::filesystem::path& path) {
+    const files::Audio audio = files::read_audio(path);
+    const double duration =
+        static_cast<double>(audio.samples.size()) / audio.channels / audio.rate;
+    const listening::Transcription made =
+        listening::transcribe(files::mono(audio), audio.rate, listening::learnt_drums());
+    const listening::Beats beats = listening::find_beats(made.strokes, duration);
+    return files::midi_to_score(to_midi(made, beats, path.filename().string()));
+}
 
 bool is_musicxml(const std::filesystem::path& path) {
     const std::string kind = path.extension().string();
@@ -20,6 +41,7 @@ bool is_musicxml(const std::filesystem::path& path) {
 
 score::Score read_score(const std::filesystem::path& path, std::vector<std::string>& warnings) {
     if (path.empty()) return score::built_in_score();
+    if (is_recording(path)) return listen_to(path);
     if (is_musicxml(path)) return files::read_musicxml_file(path);
     const files::MidiFile file = files::read_midi_file(path);
     warnings = file.warnings;

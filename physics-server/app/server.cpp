@@ -46,7 +46,7 @@ void Server::use(LoadedScore loaded) {
 
 void Server::run(const std::atomic<bool>& stop) {
     start_ = clock_.now();
-    if (options_.play) performance_.play();
+    if (options_.play) play();
     while (!stop && !ended_) {
         for (const osc::Command& command : endpoint_.take_commands()) obey(command);
         take_loaded_score();
@@ -95,7 +95,7 @@ void Server::step() {
 
 void Server::obey(const osc::Command& command) {
     if (std::holds_alternative<osc::Play>(command)) {
-        performance_.play();
+        play();
     } else if (std::holds_alternative<osc::Stop>(command)) {
         performance_.stop();
     } else if (const auto* tempo = std::get_if<osc::Tempo>(&command)) {
@@ -125,6 +125,12 @@ void Server::begin_loading(const osc::LoadScore& wish) {
             throw;
         }
     });
+}
+
+void Server::play() {
+    performance_.play();
+    const Player& player = performance_.player();
+    endpoint_.tell(osc::StartedMessage{wall(player.origin()), static_cast<float>(player.tempo())});
 }
 
 void Server::save_routes(const osc::SaveRoutes& wish) {

@@ -51,6 +51,7 @@ class Server {
     void step();
     void tell_contact(const LoggedContact& contact);
     void tell_pose();
+    void play();
     void tell_strike(const Asked& given);
     void tell_scene();
     void tell_status();

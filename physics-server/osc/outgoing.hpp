@@ -66,6 +66,12 @@ struct StatusMessage {
     std::int32_t late_steps = 0, strokes = 0, contacts = 0;
 };
 
+/// A score is begun: what sounds along with it begins at its time 0.
+struct StartedMessage {
+    double wall = 0.0;   ///< of the score's time 0 [s]
+    float tempo = 1.0F;  ///< a multiple of its own
+};
+
 /// A subscriber that was dropped because it listens no more.
 struct DroppedMessage {
     std::string host, port;
@@ -78,6 +84,6 @@ struct FinishedMessage {
 };
 
 using Outgoing = std::variant<ContactMessage, StrikeMessage, PoseMessage, SceneMessage,
-                              StatusMessage, FinishedMessage, DroppedMessage>;
+                              StatusMessage, StartedMessage, FinishedMessage, DroppedMessage>;
 
 }  // namespace percussionist::osc

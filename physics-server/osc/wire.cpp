@@ -194,6 +194,10 @@ Packet encode(const StatusMessage& s, int subscribers, double lookahead) {
                        s.contacts, static_cast<std::int32_t>(subscribers));
 }
 
+Packet encode(const StartedMessage& s, double lookahead) {
+    return one_message(s.wall + lookahead, "/started", s.tempo);
+}
+
 Packet encode(const FinishedMessage& f, double lookahead) {
     return one_message(f.wall + lookahead, "/finished", f.strokes, f.contacts);
 }
