@@ -19,8 +19,8 @@ void add_samples_command(CLI::App& program);
 void add_modes_command(CLI::App& program);
 /// drum: the mode file of a drum computed from what it is made of, and strokes of it.
 void add_drum_command(CLI::App& program);
-/// fastrak-sim: a FASTRAK to try everything on, without hardware. Runs until SIGINT, SIGTERM, "quit"
-/// on standard input or --duration.
+/// fastrak-sim: a FASTRAK to try everything on, without hardware. Runs until SIGINT, SIGTERM,
+/// "quit" on standard input or --duration.
 void add_fastrak_sim_command(CLI::App& program);
 /// track: how well the body follows a captured motion.
 void add_track_command(CLI::App& program);

@@ -14,8 +14,8 @@ namespace {
 
 /// Two channels at `rate`, by straight lines between samples: for playing along, not for mastering.
 files::Audio stereo(const files::Audio& from, int rate) {
-    const auto frames = static_cast<std::size_t>(from.samples.size()) /
-                        static_cast<std::size_t>(from.channels);
+    const auto frames =
+        static_cast<std::size_t>(from.samples.size()) / static_cast<std::size_t>(from.channels);
     if (frames == 0) throw std::runtime_error("the recording is empty");
     files::Audio to;
     to.rate = rate;

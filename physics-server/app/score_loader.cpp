@@ -19,15 +19,13 @@ namespace {
 
 bool is_recording(const std::filesystem::path& path) {
     const std::string kind = path.extension().string();
-    return kind == ".wav" || kind == ".flac" || kind == ".ogg" || kind == ".aif" ||
-           kind == ".aiff";
+    return kind == ".wav" || kind == ".flac" || kind == ".ogg" || kind == ".aif" || kind == ".aiff";
 }
 
 /// What is heard of drums in it.
 score::Score listen_to(const std::filesystem::path& path) {
     const files::Audio audio = files::read_audio(path);
-    const double duration =
-        static_cast<double>(audio.samples.size()) / audio.channels / audio.rate;
+    const double duration = static_cast<double>(audio.samples.size()) / audio.channels / audio.rate;
     const listening::Transcription made =
         listening::transcribe(files::mono(audio), audio.rate, listening::learnt_drums());
     const listening::Beats beats = listening::find_beats(made.strokes, duration);

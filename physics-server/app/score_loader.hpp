@@ -16,8 +16,8 @@ struct LoadedScore {
     std::vector<std::string> remarks;  ///< warnings of the reader, each note left out
 };
 
-/// A Standard MIDI File, MusicXML, or a recording, whose drums are played; the built-in score if `path` is empty. Throws files::MidiError
-/// files::MusicXmlError or files::AudioError.
+/// A Standard MIDI File, MusicXML, or a recording, whose drums are played; the built-in score if
+/// `path` is empty. Throws files::MidiError files::MusicXmlError or files::AudioError.
 LoadedScore load_score(const std::filesystem::path& path);
 
 /// The file `name` inside `folder`, or an error: std::runtime_error if it lies outside or is not

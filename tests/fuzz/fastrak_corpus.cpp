@@ -1,21 +1,12 @@
 // Writes what the fuzzers of the FASTRAK start from into a folder: records and commands.
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "core/motion/fastrak_settings.hpp"
+#include "support/corpus.hpp"
 
 using namespace percussionist::motion;
-
-namespace {
-
-void write(const std::filesystem::path& path, const Bytes& bytes) {
-    std::ofstream stream(path, std::ios::binary);
-    stream.write(reinterpret_cast<const char*>(bytes.data()),
-                 static_cast<std::streamsize>(bytes.size()));
-}
-
-}  // namespace
+using percussionist::test::write_input;
 
 int main(int argc, char** argv) {
     if (argc != 2) {
@@ -36,7 +27,7 @@ int main(int argc, char** argv) {
                 reading.pose.position = {0.1 * station, -0.2, 0.3};
                 encode(reading, layout_for(settings), bytes);
             }
-            write(folder / ("records" + std::to_string(byte)), bytes);
+            write_input(folder / ("records" + std::to_string(byte)), bytes);
         }
     }
     FastrakSettings settings;
@@ -47,9 +38,9 @@ int main(int argc, char** argv) {
         commands += command;
     }
     commands += "G1,0,0,0\rB1\rC" + output_list_command(1, layout_for(settings)) + "\x13\x11T^W";
-    write(folder / "commands", {commands.begin(), commands.end()});
+    write_input(folder / "commands", {commands.begin(), commands.end()});
     const std::string replies =
         "21l1010\r\n21O 2 4 1\r\n2 E*ERROR*O1,99*ERROR* EC-3\r\n21S3F1   F31   2.00 FASTRAK" +
         std::string(25, ' ') + "\r\n";
-    write(folder / "replies", {replies.begin(), replies.end()});
+    write_input(folder / "replies", {replies.begin(), replies.end()});
 }
