@@ -3,6 +3,7 @@
 #include <lo/lo.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -88,21 +89,28 @@ Packet one_message(double tag, const char* address, const Values&... values) {
     return serialise(bundle);
 }
 
+/// OSC aligns to four bytes, liblo's union wants eight: values are copied out.
+template <class Value>
+double number(const lo_arg* at) {
+    Value value;
+    std::memcpy(&value, at, sizeof value);
+    return static_cast<double>(value);
+}
+
 /// The value of one argument; numbers of all types become double.
-Argument argument(char type, lo_arg* value) {
+Argument argument(char type, const lo_arg* value) {
     switch (type) {
         case LO_INT32:
-            return static_cast<double>(value->i);
+            return number<std::int32_t>(value);
         case LO_INT64:
-            return static_cast<double>(value->h);
+            return number<std::int64_t>(value);
         case LO_FLOAT:
-            return static_cast<double>(value->f);
+            return number<float>(value);
         case LO_DOUBLE:
-            return value->d;
+            return number<double>(value);
         case LO_STRING:
-            return std::string(&value->s);
         case LO_SYMBOL:
-            return std::string(&value->S);
+            return std::string(reinterpret_cast<const char*>(value));
         case LO_TRUE:
             return 1.0;
         case LO_FALSE:
