@@ -124,8 +124,8 @@ using Heard = std::function<void(const std::string&, std::span<const Argument>)>
 
 bool decode_message(std::span<const char> bytes, const Heard& heard) {
     // liblo wants a terminated address before it looks at anything else.
-    const void* end = std::memchr(bytes.data(), '\0', bytes.size());
-    if (bytes.empty() || bytes[0] != '/' || end == nullptr) return false;
+    if (bytes.empty() || bytes[0] != '/') return false;
+    if (std::memchr(bytes.data(), '\0', bytes.size()) == nullptr) return false;
     std::vector<char> copy(bytes.begin(), bytes.end());
     int error = 0;
     lo_message message = lo_message_deserialise(copy.data(), copy.size(), &error);
