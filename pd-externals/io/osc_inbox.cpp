@@ -1,6 +1,8 @@
 #include "io/osc_inbox.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 
@@ -30,6 +32,16 @@ std::optional<double> first_number(const OscMessage& message) {
     const auto& all = message.arguments;
     const auto* const number = all.empty() ? nullptr : std::get_if<double>(all.data());
     return number ? std::optional(*number) : std::nullopt;
+}
+
+/// The number that a contact is counted by; nothing where it is none that counts (NaN, 1e300).
+std::optional<std::int64_t> sequence_of(const OscMessage& message) {
+    constexpr double kMost = 1e15;
+    const auto number = message.address == kContact ? first_number(message) : std::nullopt;
+    if (!number || !(std::abs(*number) < kMost)) {
+        return std::nullopt;
+    }
+    return static_cast<std::int64_t>(*number);
 }
 
 /// What /clock tells, if it is the protocol's.
@@ -120,10 +132,10 @@ void OscInbox::deliver(Sender& sender, OscBundle& bundle) {
         const double due = sender.due(bundle.tag);
         delivery->due = due;
         std::erase_if(bundle.messages, [&](const OscMessage& message) {
-            const auto number = message.address == kContact ? first_number(message) : std::nullopt;
-            return number && (!sender.contacts.is_new(static_cast<std::int64_t>(*number),
-                                                      static_cast<std::int64_t>(bundle.tag)) ||
-                              due < sender.first_heard - kReordering);
+            const auto number = sequence_of(message);
+            return number &&
+                   (!sender.contacts.is_new(*number, static_cast<std::int64_t>(bundle.tag)) ||
+                    due < sender.first_heard - kReordering);
         });
     }
     if (!bundle.messages.empty()) {
