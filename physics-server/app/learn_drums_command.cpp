@@ -11,6 +11,7 @@
 #include "app/progress.hpp"
 #include "core/listening/practice/learning.hpp"
 #include "files/spectrogram_picture.hpp"
+#include "files/text_file.hpp"
 
 namespace percussionist::app {
 

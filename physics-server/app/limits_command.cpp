@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <numbers>
 
@@ -12,6 +11,7 @@
 #include "app/fit_axes.hpp"
 #include "body/limits_from_motion.hpp"
 #include "body/limits_text.hpp"
+#include "files/text_file.hpp"
 
 namespace percussionist::app {
 
@@ -24,13 +24,6 @@ struct LimitsCommand {
     std::string kind = "quaternion";
     std::filesystem::path output, picture;
 };
-
-void write(const std::filesystem::path& path, const std::string& text) {
-    std::ofstream out(path, std::ios::binary);
-    out << text;
-    out.flush();
-    if (!out) throw std::runtime_error(path.string() + ": cannot be written");
-}
 
 /// Where the surface of the limits lies in a plane of two coordinates, as a closed line: an ellipse
 /// of rotation vectors about the mean, or the outline of a box of angles.
@@ -108,7 +101,7 @@ void run(const LimitsCommand& command) {
         charts.push_back(chart(segment, limits, rotations, 0, 1));
         charts.push_back(chart(segment, limits, rotations, 1, 2));
     }
-    if (!command.output.empty()) write(command.output, body::limits_text(all));
+    if (!command.output.empty()) files::write_text(command.output, body::limits_text(all));
     if (!command.picture.empty()) files::write_svg(command.picture, charts);
 }
 

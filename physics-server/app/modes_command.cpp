@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "core/modal/decay.hpp"
 #include "core/modal/mode_file.hpp"
 #include "core/modal/modes_of_hits.hpp"
+#include "files/text_file.hpp"
 #include "files/wav_file.hpp"
 
 namespace percussionist::app {
@@ -46,14 +46,6 @@ std::vector<modal::Hit> read_hits(const ModesOptions& options, int& rate) {
         hits.push_back({options.positions[i], files::mono(audio)});
     }
     return hits;
-}
-
-void write_text(const std::string& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    if (!file.flush()) {
-        throw std::runtime_error(path + ": cannot be written");
-    }
 }
 
 /// As long as the recordings, the strokes where theirs are.
@@ -99,7 +91,7 @@ void run_modes(const ModesOptions& options) {
     measured.modes.name = options.name;
     measured.modes.origin = fmt::format(
         "measured from {} recordings; the scale of its weights is not known", hits.size());
-    write_text(options.output, modal::write_modes(measured.modes));
+    files::write_text(options.output, modal::write_modes(measured.modes));
     if (!options.picture.empty()) {
         draw_modes(options.picture, measured, hits, rate);
     }

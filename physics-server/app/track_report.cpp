@@ -4,13 +4,13 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <numbers>
 #include <stdexcept>
 
 #include "app/fit_axes.hpp"
 #include "files/plot.hpp"
+#include "files/text_file.hpp"
 
 namespace percussionist::app {
 
@@ -23,13 +23,6 @@ constexpr double kMillimetres = 1e3;
 constexpr const char* kSides[] = {"left", "right"};
 constexpr const char* kJoints[] = {"shoulder", "elbow", "wrist", "grip"};
 constexpr const char* kColours[] = {"#1f77b4", "#d62728", "#2ca02c", "#ff7f0e"};
-
-void write(const fs::path& path, const std::string& text) {
-    std::ofstream out(path, std::ios::binary);
-    out << text;
-    out.flush();
-    if (!out) throw std::runtime_error(path.string() + ": cannot be written");
-}
 
 std::string summary_csv(const std::vector<TrackRun>& runs) {
     std::string text =
@@ -236,11 +229,12 @@ void write_track_report(const fs::path& folder, const LoadedClip& clip, const Tr
         "for against the one captured; joint: all 19, of the body against what was asked for;\n"
         "elbow: flexion asked for, and of the body, against the one captured, RMS degrees;\n"
         "torque: the largest of an arm's joint, N m; x real: times real time.\n";
-    write(folder / "report.txt", report);
-    write(folder / "summary.csv", summary_csv(runs));
+    files::write_text(folder / "report.txt", report);
+    files::write_text(folder / "summary.csv", summary_csv(runs));
     for (const TrackRun& run : runs) {
-        write(folder / fmt::format("{}-{}.csv", law_name(run.control.law), run.control.name),
-              series_csv(run));
+        files::write_text(
+            folder / fmt::format("{}-{}.csv", law_name(run.control.law), run.control.name),
+            series_csv(run));
     }
     write_pictures(folder, runs);
 }

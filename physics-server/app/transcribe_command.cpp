@@ -16,6 +16,7 @@
 #include "core/listening/transcription.hpp"
 #include "files/midi_writer.hpp"
 #include "files/spectrogram_picture.hpp"
+#include "files/text_file.hpp"
 #include "files/wav_file.hpp"
 
 namespace percussionist::app {

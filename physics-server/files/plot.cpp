@@ -1,10 +1,10 @@
 #include "files/plot.hpp"
+#include "files/text_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 
@@ -154,11 +154,7 @@ std::string svg(std::span<const Chart> charts) {
 }
 
 void write_svg(const std::filesystem::path& path, std::span<const Chart> charts) {
-    std::ofstream file(path, std::ios::binary);
-    file << svg(charts);
-    if (!file.flush()) {
-        throw std::runtime_error(path.string() + ": cannot be written");
-    }
+    write_text(path, svg(charts));
 }
 
 }  // namespace percussionist::files

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 #include <vector>
 
@@ -197,12 +196,6 @@ class Drawing {
 std::string spectrogram_svg(const Transcription& transcription, const Beats& beats,
                             const std::string& title) {
     return Drawing(transcription, beats, title).svg();
-}
-
-void write_text(const std::filesystem::path& path, const std::string& text) {
-    std::ofstream out(path, std::ios::binary);
-    out << text;
-    if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
 }  // namespace percussionist::files

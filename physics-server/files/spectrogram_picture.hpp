@@ -17,7 +17,4 @@ namespace percussionist::files {
 std::string spectrogram_svg(const listening::Transcription& transcription,
                             const listening::Beats& beats, const std::string& title);
 
-/// Throws std::runtime_error where the file cannot be written.
-void write_text(const std::filesystem::path& path, const std::string& text);
-
 }  // namespace percussionist::files

@@ -26,10 +26,6 @@ void Audience::subscribe(const sockaddr_in& who, Feed feed, double now) {
     subscribers_.push_back({who, feed, now, false});
 }
 
-void Audience::unsubscribe(const sockaddr_in& who) {
-    drop(who);
-}
-
 int Audience::subscribers() const {
     const std::lock_guard lock(mutex_);
     return static_cast<int>(subscribers_.size());

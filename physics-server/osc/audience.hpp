@@ -30,12 +30,11 @@ class Audience {
 
     /// Subscribes, or renews. Throws std::runtime_error if there are too many.
     void subscribe(const sockaddr_in& who, Feed feed, double now);
-    void unsubscribe(const sockaddr_in& who);
     [[nodiscard]] int subscribers() const;
     /// Those who hear a feed; returns how many.
     std::size_t listeners(Feed feed, Addresses& to) const;
 
-    /// Drops who is known not to listen; true if there was one.
+    /// Drops who wishes it or is known not to listen; true if there was one.
     bool drop(const sockaddr_in& who);
     /// Drops those whose lease has run out.
     std::vector<Peer> drop_silent(double now);

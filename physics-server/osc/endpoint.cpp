@@ -122,7 +122,7 @@ void Endpoint::handle(const Subscribe& wish) {
 
 void Endpoint::handle(const Unsubscribe& wish) {
     try {
-        audience_.unsubscribe(UdpSocket::resolve(wish.peer.host, wish.peer.port));
+        audience_.drop(UdpSocket::resolve(wish.peer.host, wish.peer.port));
     } catch (const std::runtime_error&) {
         // A name that cannot be looked up is nobody's: nothing to remove.
     }
