@@ -17,7 +17,8 @@ namespace percussionist::timing {
 class SequenceFilter {
   public:
     /// Whether this event was not heard before. `tag` in any one unit, of which there are
-    /// `units_a_second`.
+    /// `units_a_second`; tags
+    /// wrap round after 2^64, numbers count as at most 2^60.
     bool is_new(std::int64_t number, std::int64_t tag) noexcept;
 
     explicit SequenceFilter(double units_a_second)
@@ -29,6 +30,7 @@ class SequenceFilter {
 
   private:
     static constexpr std::int64_t kWindow = 1024;  ///< numbers back that are remembered
+    static constexpr std::int64_t kLargest = std::int64_t{1} << 60;
     static constexpr double kMargin = 0.1;         ///< tags of one run are in order up to this [s]
 
     struct Event {
@@ -39,6 +41,7 @@ class SequenceFilter {
         return heard_[static_cast<std::size_t>(number & (kWindow - 1))];
     }
     bool started_anew(std::int64_t number, std::int64_t tag) noexcept;
+    void add_lost(std::int64_t count) noexcept;
     void begin(std::int64_t number, std::int64_t tag) noexcept;
 
     std::array<Event, kWindow> heard_{};

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <set>
 #include <vector>
@@ -109,4 +110,26 @@ TEST_CASE("a sender that starts anew with its clock set back is heard too") {
         CHECK(!filter.is_new(i, 50 * i));
     }
     CHECK(filter.lost() == 0);
+}
+
+TEST_CASE("tags wrap: what is heard over the end of all tags is one run") {
+    SequenceFilter filter(kSecond);
+    const auto last = std::numeric_limits<std::int64_t>::max();
+    CHECK(filter.is_new(0, last - 40));
+    CHECK(filter.is_new(1, last));
+    const auto wrapped = static_cast<std::int64_t>(static_cast<std::uint64_t>(last) + 40);
+    CHECK(filter.is_new(2, wrapped));
+    CHECK(!filter.is_new(1, last));
+    CHECK(filter.is_new(4, wrapped + 80));
+    CHECK(filter.lost() == 1);
+}
+
+TEST_CASE("numbers and tags of any size are counted within bounds") {
+    std::mt19937_64 random(1);
+    SequenceFilter filter(kSecond);
+    for (int i = 0; i < 100000; ++i) {
+        const auto number = static_cast<std::int64_t>(random());
+        filter.is_new(number, static_cast<std::int64_t>(random()));
+        REQUIRE(filter.lost() >= -i);
+    }
 }
