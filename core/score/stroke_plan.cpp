@@ -159,7 +159,7 @@ class Planner {
             stroke.time = n.time;
             stroke.hand = static_cast<int>(played[h]);
             stroke.velocity = n.velocity;
-            stroke.speed = impact_speed(n.velocity);
+            stroke.speed = impact_speed(n.velocity, n.nuance);
             stroke.height = std::min(preparation_height(stroke.speed),
                                      reachable_height(stroke.speed, n.time - last[stroke.hand]));
             stroke.note = notes_[h];
@@ -237,6 +237,11 @@ double impact_speed(double velocity) {
     constexpr double kLoudest = 4.5;
     const double steps = (127.0 * velocity - 1.0) / 126.0;
     return kSoftest * std::pow(kLoudest / kSoftest, steps);
+}
+
+double impact_speed(double velocity, Nuance nuance) {
+    constexpr double kFastest = 6.0;
+    return std::min(kFastest, impact_speed(velocity) * impact_ratio(nuance));
 }
 
 double preparation_height(double speed) {

@@ -15,7 +15,9 @@
 //
 // How loud: the speed of the stick when it strikes grows exponentially with the note's velocity,
 // equal steps of velocity being equal steps in decibels. At velocities 67, 95 and 126 that gives
-// the 1.9, 2.8 and 4.4 m/s of timpanists' legato strokes, accents and vertical accents.
+// the 1.9, 2.8 and 4.4 m/s of timpanists' legato strokes, accents and vertical accents. Where a
+// score tells nuances, the velocity is the dynamic, and the nuance makes the stroke faster or
+// slower.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +36,7 @@ struct Stroke {
     int drum = 0;           ///< 0: the one drum
     double speed = 0.0;     ///< of the stick's tip at impact [m/s]
     double height = 0.0;    ///< from which the tip comes down [m]
-    double velocity = 0.0;  ///< of the note, 0..1
+    double velocity = 0.0;  ///< of the note, 0..1: its dynamic
     std::size_t note = 0;   ///< its index in the score
     Position position;      ///< bar and beat
     Nuance nuance = Nuance::legato;
@@ -75,6 +77,8 @@ std::string describe(const LeftOut& left_out, const Score& score);
 
 /// Impact speed [m/s] for a velocity in 0..1: 0.7 at 1/127, 4.5 at 1, strictly increasing.
 double impact_speed(double velocity);
+/// The same of a nuance, at most 6 m/s.
+double impact_speed(double velocity, Nuance nuance);
 
 /// The height [m] a player with all the time in the world prepares a stroke of that speed from.
 double preparation_height(double speed);

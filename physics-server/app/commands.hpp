@@ -9,8 +9,12 @@ namespace percussionist::app {
 
 /// serve: the simulation in real time, told and telling over OSC.
 void add_serve_command(CLI::App& program);
+/// describe: what the server understands over OSC.
+void add_describe_command(CLI::App& program);
 /// render: the same as fast as it can, into files.
 void add_render_command(CLI::App& program);
+/// plan: a score as gestures, with pictures; says what cannot be played.
+void add_plan_command(CLI::App& program);
 /// check: how well a recording agrees with the contacts of its performance.
 void add_check_command(CLI::App& program);
 /// samples: the drum's strokes as files, for the patches' sample voice.

@@ -17,7 +17,9 @@ int main(int argc, char** argv) {
     program.set_version_flag("--version", PERCUSSIONIST_VERSION);
     try {
         add_serve_command(program);
+        add_describe_command(program);
         add_render_command(program);
+        add_plan_command(program);
         add_check_command(program);
         add_samples_command(program);
         add_fastrak_sim_command(program);

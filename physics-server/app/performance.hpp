@@ -23,7 +23,6 @@ class Performance {
     /// From the beginning; what was logged before is forgotten.
     void play();
     void stop();
-    void set_tempo(double factor) { player_.set_tempo(factor); }
 
     /// One step of the simulation; the contacts that ended in it, with the strokes they came of.
     const std::vector<LoggedContact>& step();
@@ -32,6 +31,9 @@ class Performance {
     [[nodiscard]] bool playing() const { return performing_; }
     [[nodiscard]] TimingSummary summary() const { return log_.summary(player_.asked()); }
     [[nodiscard]] const PerformanceLog& log() const { return log_; }
+    /// To be steered between two steps.
+    Player& player() { return player_; }
+    sim::Simulation& simulation() { return simulation_; }
     [[nodiscard]] const Player& player() const { return player_; }
     [[nodiscard]] const sim::Simulation& simulation() const { return simulation_; }
 

@@ -14,28 +14,63 @@ constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 constexpr double kLead = 1.0;
 /// A stroke so near its impact is no longer bent [s].
 constexpr double kCommitted = 0.10;
+/// One so near is bent in time only: the stick comes down already [s].
+constexpr double kShaped = 0.30;
 /// A contact further than this from any stroke's time came of none [s].
 constexpr double kCauseWindow = 0.045;
 constexpr std::size_t kRemembered = 4;
+/// No stroke is asked for that is faster [m/s].
+constexpr double kFastest = 6.0;
+/// Between two strokes of a hand that takes over from the other, at least [s].
+constexpr double kSoonest = 0.12;
+
+/// The shape of a stroke as its gesture has it; none for a plain legato one.
+std::optional<body::StrokeShape> shape_of(const score::Stroke& stroke,
+                                          const std::optional<body::Gesture>& in_place,
+                                          double height) {
+    const auto& all = body::built_in_gestures();
+    const body::Gesture& gesture =
+        in_place ? *in_place : all[static_cast<std::size_t>(stroke.nuance)];
+    if (gesture.synthetic && gesture.name == all.front().name) return std::nullopt;
+    // The dynamic: how much faster a legato stroke would be than the legato stroke of the table.
+    const double dynamic =
+        stroke.speed / score::impact_ratio(stroke.nuance) / all.front().shape.impact;
+    body::StrokeShape shape =
+        body::scaled(gesture.shape, std::min(dynamic, kFastest / gesture.shape.impact));
+    shape.rise *= height;
+    return shape;
+}
 
 }  // namespace
 
 void Player::load(std::vector<score::Stroke> strokes) {
     stop();
     strokes_ = std::move(strokes);
-    for (const Hand hand : kHands) state(hand).strokes.clear();
+    share_out();
+}
+
+void Player::share_out() {
+    leading_ = wished_leading_;
+    for (HandState& h : hands_) {
+        h.strokes.clear();
+        h.next = 0;
+    }
+    const int exchange = leading_ == Hand::right ? 0 : 1;
     for (std::size_t i = 0; i < strokes_.size(); ++i) {
-        hands_[strokes_[i].hand].strokes.push_back(i);
+        hands_[strokes_[i].hand ^ exchange].strokes.push_back(i);
     }
 }
 
 void Player::play() {
     stop();
+    share_out();
+    const double now = simulation_.frontier();
     const double first = strokes_.empty() ? 0.0 : strokes_.front().time;
-    origin_ = simulation_.frontier() + kLead - std::min(first, kLead) / tempo_;
+    tempo_.begin(now, 0.0);
+    const double lead = std::max(0.0, kLead - (tempo_.time_of(first) - now));
+    tempo_.begin(now + lead, 0.0);
     asked_ = dropped_ = 0;
-    last_impact_ = simulation_.frontier();
-    for (const Hand hand : kHands) state(hand).next = 0;
+    last_impact_ = now;
     playing_ = true;
 }
 
@@ -52,31 +87,65 @@ void Player::stop() {
     }
 }
 
-void Player::set_tempo(double factor) {
-    const double now = simulation_.frontier();
-    origin_ = now - (now - origin_) * tempo_ / factor;
-    tempo_ = factor;
-    if (!playing_) return;
-    for (const Hand hand : kHands) retime(hand);
+void Player::set_tempo(double factor, double seconds) {
+    tempo_.glide(simulation_.frontier(), factor, seconds);
+    rebend();
 }
 
-void Player::retime(Hand hand) {
+void Player::set_rubato(double depth, double period) {
+    tempo_.sway(simulation_.frontier(), depth, period);
+    rebend();
+}
+
+void Player::set_gesture(Hand hand, std::optional<body::Gesture> gesture) {
+    state(hand).gesture = std::move(gesture);
+    rebend();
+}
+
+void Player::set_height(double factor) {
+    height_ = factor;
+    rebend();
+}
+
+void Player::rebend() {
+    if (!playing_) return;
+    for (const Hand hand : kHands) rebend(hand);
+}
+
+void Player::rebend(Hand hand) {
     HandState& h = state(hand);
     const double now = simulation_.frontier();
     if (!simulation_.path(hand).aiming(now) || h.recent.empty()) return;
-    Asked& pending = h.recent.back();
-    const double time = impact_time(pending.stroke);
-    if (pending.time - now < kCommitted || time - now < kCommitted) return;
-    const score::Stroke& s = strokes_[pending.stroke];
-    if (simulation_.strike(hand, time, s.speed, s.height)) {
-        pending.time = time;
-        last_impact_ = std::max(last_impact_, time);
-    }
+    Asked bent = h.recent.back();
+    bent.time = impact_time(bent.stroke);
+    const double left = std::min(h.recent.back().time, bent.time) - now;
+    if (left < kCommitted) return;
+    if (left > kShaped) shape(hand, bent);
+    if (give(hand, bent)) h.recent.back() = bent;
+}
+
+/// How the stroke is to be played as things are now.
+void Player::shape(Hand hand, Asked& asked) const {
+    const score::Stroke& s = strokes_[asked.stroke];
+    asked.hand = hand;
+    asked.shape = shape_of(s, hands_[static_cast<int>(hand)].gesture, height_);
+    asked.speed = asked.shape ? asked.shape->impact
+                              : std::min(kFastest, s.speed / score::impact_ratio(s.nuance));
+    asked.height = asked.shape ? asked.shape->rise : height_ * s.height;
+}
+
+bool Player::give(Hand hand, const Asked& asked) {
+    const bool taken = asked.shape
+                           ? simulation_.strike(hand, asked.time, *asked.shape)
+                           : simulation_.strike(hand, asked.time, asked.speed, asked.height);
+    if (taken) last_impact_ = std::max(last_impact_, asked.time);
+    return taken;
 }
 
 void Player::advance() {
     given_.clear();
     if (!playing_) return;
+    if (wished_leading_ != leading_) change_over();
     for (const Hand hand : kHands) advance(hand);
     const bool over = std::all_of(kHands.begin(), kHands.end(), [&](Hand hand) {
         return state(hand).next == state(hand).strokes.size() &&
@@ -89,19 +158,33 @@ void Player::advance(Hand hand) {
     HandState& h = state(hand);
     const double now = simulation_.frontier();
     while (h.next < h.strokes.size() && !simulation_.path(hand).aiming(now)) {
-        const std::size_t i = h.strokes[h.next++];
-        const score::Stroke& s = strokes_[i];
-        const double time = impact_time(i);
-        if (!simulation_.strike(hand, time, s.speed, s.height)) {
+        Asked asked;
+        asked.stroke = h.strokes[h.next++];
+        asked.time = impact_time(asked.stroke);
+        shape(hand, asked);
+        if (!give(hand, asked)) {
             ++dropped_;
             continue;
         }
         ++asked_;
-        last_impact_ = std::max(last_impact_, time);
-        h.recent.push_back({i, time});
-        given_.push_back({i, time});
+        h.recent.push_back(asked);
+        given_.push_back(asked);
         if (h.recent.size() > kRemembered) h.recent.pop_front();
     }
+}
+
+/// Whether `from` could play what is left for `to` without striking again too soon.
+bool Player::can_take_over(const HandState& from, const HandState& to) const {
+    if (from.recent.empty() || to.next == to.strokes.size()) return true;
+    return impact_time(to.strokes[to.next]) - from.recent.back().time > kSoonest;
+}
+
+void Player::change_over() {
+    auto& [left, right] = hands_;
+    if (!can_take_over(left, right) || !can_take_over(right, left)) return;
+    std::swap(left.strokes, right.strokes);
+    std::swap(left.next, right.next);
+    leading_ = wished_leading_;
 }
 
 const Asked* Player::cause(const sim::ContactEvent& contact) const {

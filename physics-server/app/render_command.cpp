@@ -10,6 +10,7 @@
 #include "app/bvh_writer.hpp"
 #include "app/commands.hpp"
 #include "app/drum_sound.hpp"
+#include "app/opening_messages.hpp"
 #include "app/performance.hpp"
 #include "app/simulation_flags.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 struct RenderOptions {
     std::filesystem::path score;
     std::filesystem::path folder;
-    double tempo = 1.0;
+    std::vector<std::string> messages;
     double frames = 120.0;  ///< a second, of the motion [Hz]
     int sample_rate = 48000;
     sim::SimulationOptions simulation;
@@ -34,10 +35,11 @@ void render(const RenderOptions& options) {
 
     std::filesystem::create_directories(options.folder);
     Performance performance(options.simulation);
+    Steering steering(performance, body::built_in_gestures());
     BvhWriter motion(options.folder / "motion.bvh", performance.simulation().skeleton(),
                      1.0 / options.frames);
     performance.load(std::move(score.strokes));
-    performance.set_tempo(options.tempo);
+    obey(steering, options.messages);
     performance.play();
     int frames = 0;
     while (performance.playing()) {
@@ -65,15 +67,13 @@ void add_render_command(CLI::App& program) {
     command.add_option("score", options->score,
                        "a MIDI or MusicXML file; none: the built-in piece");
     command.add_option("-o,--output", options->folder, "folder for the files")->required();
-    command.add_option("--tempo", options->tempo, "a multiple of the score's own tempo")
-        ->check(CLI::Range(0.1, 10.0))
-        ->capture_default_str();
     command.add_option("--frames", options->frames, "of the motion [Hz]")
         ->check(CLI::Range(1.0, 1000.0))
         ->capture_default_str();
     command.add_option("--sample-rate", options->sample_rate, "of the sound [Hz]")
         ->check(CLI::Range(8000, 192000))
         ->capture_default_str();
+    add_opening_flag(command, options->messages);
     add_simulation_flags(command, options->simulation);
     command.callback([options] { render(*options); });
 }

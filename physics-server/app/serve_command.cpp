@@ -63,6 +63,8 @@ void add_serve_command(CLI::App& program) {
         .add_option("--scores", options->score_folder,
                     "folder that /score may read from and /route/save write to")
         ->default_str(".");
+    command.add_option("--gestures", options->gestures,
+                       "file of gestures of your own, as `percussionist gestures add` writes it");
     command.add_flag("--play", options->play, "play at once, without waiting for /play");
     command.add_flag("--quit-at-end", options->quit_at_end, "end when the score has rung out");
     command.add_option("--log", options->log_folder, "folder for contacts.csv, written at the end");

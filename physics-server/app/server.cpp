@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "app/gesture_library.hpp"
 #include "app/route_file.hpp"
 
 namespace percussionist::app {
@@ -32,6 +33,7 @@ Server::Server(const ServeOptions& options, WallClock& clock)
     : options_(options),
       clock_(clock),
       performance_(options.simulation),
+      steering_(performance_, load_gestures(options.gestures)),
       endpoint_(options.endpoint, [&clock] { return clock.now(); }) {
     use(load_score(options.score));
 }
@@ -49,6 +51,7 @@ void Server::run(const std::atomic<bool>& stop) {
     if (options_.play) play();
     while (!stop && !ended_) {
         for (const osc::Command& command : endpoint_.take_commands()) obey(command);
+        if (steering_.take_changed()) tell_state();
         take_loaded_score();
         catch_up(clock_.now());
         clock_.sleep_until(wall(next_step_end()));
@@ -88,6 +91,7 @@ void Server::step() {
     if (time >= next_pose_) tell_pose();
     if (time >= next_status_) {
         tell_scene();
+        tell_state();
         tell_status();
     }
     if (playing && !performance_.playing()) tell_finished();
@@ -98,12 +102,22 @@ void Server::obey(const osc::Command& command) {
         play();
     } else if (std::holds_alternative<osc::Stop>(command)) {
         performance_.stop();
-    } else if (const auto* tempo = std::get_if<osc::Tempo>(&command)) {
-        performance_.set_tempo(tempo->factor);
     } else if (const auto* score = std::get_if<osc::LoadScore>(&command)) {
         begin_loading(*score);
     } else if (const auto* save = std::get_if<osc::SaveRoutes>(&command)) {
         save_routes(*save);
+    } else {
+        steer(command);
+    }
+}
+
+void Server::steer(const osc::Command& command) {
+    try {
+        steering_.obey(command);
+    } catch (const std::invalid_argument& error) {
+        // Only of names is it not known before whether there is such a thing.
+        const auto* nuance = std::get_if<osc::SetNuance>(&command);
+        if (nuance != nullptr) endpoint_.answer(nuance->asker, "/error", {"/nuance", error.what()});
     }
 }
 
@@ -130,7 +144,8 @@ void Server::begin_loading(const osc::LoadScore& wish) {
 void Server::play() {
     performance_.play();
     const Player& player = performance_.player();
-    endpoint_.tell(osc::StartedMessage{wall(player.origin()), static_cast<float>(player.tempo())});
+    const double factor = player.tempo().factor(performance_.simulation().time());
+    endpoint_.tell(osc::StartedMessage{wall(player.origin()), static_cast<float>(factor)});
 }
 
 void Server::save_routes(const osc::SaveRoutes& wish) {
@@ -176,12 +191,11 @@ void Server::tell_contact(const LoggedContact& contact) {
 }
 
 void Server::tell_strike(const Asked& given) {
-    const score::Stroke& stroke = performance_.player().strokes()[given.stroke];
     const double now = performance_.simulation().time();
-    endpoint_.tell(osc::StrikeMessage{wall(now), stroke.hand, static_cast<int>(given.stroke),
-                                      static_cast<float>(given.time - now),
-                                      static_cast<float>(stroke.speed),
-                                      static_cast<float>(stroke.height)});
+    endpoint_.tell(
+        osc::StrikeMessage{wall(now), static_cast<int>(given.hand), static_cast<int>(given.stroke),
+                           static_cast<float>(given.time - now), static_cast<float>(given.speed),
+                           static_cast<float>(given.height)});
 }
 
 void Server::tell_pose() {
@@ -209,8 +223,12 @@ void Server::tell_scene() {
         scene.bodies.push_back({s.name, floats<3>(middle), floats<3>(s.size)});
     }
     scene.drums.push_back({0, floats<3>(simulation.head_centre()),
-                           static_cast<float>(options_.simulation.head.membrane.radius)});
+                           static_cast<float>(simulation.options().head.membrane.radius)});
     endpoint_.tell(std::move(scene));
+}
+
+void Server::tell_state() {
+    endpoint_.tell(steering_.state(wall(performance_.simulation().time())));
 }
 
 void Server::tell_status() {

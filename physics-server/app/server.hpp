@@ -13,6 +13,7 @@
 #include <string>
 
 #include "app/performance.hpp"
+#include "app/steering.hpp"
 #include "app/wall_clock.hpp"
 #include "osc/endpoint.hpp"
 
@@ -23,6 +24,7 @@ struct ServeOptions {
     osc::EndpointOptions endpoint;
     std::filesystem::path score;         ///< empty: the built-in one
     std::filesystem::path score_folder;  ///< where /score may read and /route/save may write
+    std::filesystem::path gestures;      ///< of your own, see gesture_library.hpp; empty: none
     bool play = false;                   ///< at once, without waiting for /play
     bool quit_at_end = false;            ///< when the score has been played and has rung out
     std::filesystem::path log_folder;    ///< contacts.csv goes there; empty: nowhere
@@ -42,6 +44,7 @@ class Server {
 
   private:
     void obey(const osc::Command& command);
+    void steer(const osc::Command& command);
     void begin_loading(const osc::LoadScore& wish);
     void save_routes(const osc::SaveRoutes& wish);
     void take_loaded_score();
@@ -54,6 +57,7 @@ class Server {
     void play();
     void tell_strike(const Asked& given);
     void tell_scene();
+    void tell_state();
     void tell_status();
     void tell_finished();
     void write_log() const;
@@ -62,6 +66,7 @@ class Server {
     ServeOptions options_;
     WallClock& clock_;
     Performance performance_;
+    Steering steering_;
     osc::Endpoint endpoint_;
     std::future<LoadedScore> loading_;
     std::future<void> saving_;

@@ -1,6 +1,7 @@
 #include "body/gesture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace percussionist::body {
@@ -24,6 +25,12 @@ const Gesture* find_gesture(const std::vector<Gesture>& gestures, const std::str
     const auto found = std::find_if(gestures.begin(), gestures.end(),
                                     [&](const Gesture& g) { return g.name == name; });
     return found == gestures.end() ? nullptr : &*found;
+}
+
+StrokeShape scaled(const StrokeShape& shape, double factor) {
+    const double height = factor < 1.0 ? factor : std::pow(factor, 0.4);
+    return {shape.rise * height, shape.peak_down * factor, shape.impact * factor,
+            shape.peak_up * factor, shape.rebound * height};
 }
 
 double drum_position(const std::string& name) {

@@ -36,6 +36,10 @@ const std::vector<Gesture>& built_in_gestures();
 /// Null if there is none of that name.
 const Gesture* find_gesture(const std::vector<Gesture>& gestures, const std::string& name);
 
+/// The same gesture for a stroke `factor` times as fast: softer ones are smaller, harder ones
+/// hardly higher, as score::preparation_height() has it.
+StrokeShape scaled(const StrokeShape& shape, double factor);
+
 /// Where on the head: share of its radius by name (centre, third, rim); throws
 /// std::invalid_argument naming what there is.
 double drum_position(const std::string& name);

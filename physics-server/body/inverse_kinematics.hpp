@@ -64,6 +64,8 @@ class InverseKinematics {
     void set_inverse(Inverse inverse);
     /// The posture to be pulled to; the joints it does not turn are to be there.
     void set_rest(const Posture& rest);
+    /// The same, on the way from one posture to another: a learnt inverse stays as it is.
+    void pull_to(const Posture& rest) { rest_ = rest; }
     [[nodiscard]] const Posture& rest() const { return rest_; }
     /// See the options; a larger damping passes postures in which an arm is stretched more calmly.
     void set_damping(double damping) { options_.damping = damping; }

@@ -26,9 +26,11 @@ constexpr double kHandShare = 0.45;
 constexpr double kHandSpeedShare = 0.10;
 constexpr double kForever = 1e9;
 /// Of a gesture: most of the rise lies in this time before the stroke [s]; no rise is faster than
-/// this on average [m/s]; between strokes the tip is lowered to this height [m].
+/// this on average, if there is time, and at its fastest [m/s]; between strokes the tip is lowered
+/// to this height [m].
 constexpr double kRiseWindow = 0.40;
 constexpr double kRiseSpeed = 2.0;
+constexpr double kFastestRise = 5.0;
 constexpr double kLowered = 0.03;
 
 /// The time in which to go from one state to the other so that the largest speed on the way is
@@ -165,23 +167,41 @@ void StrokePath::draw_rest(Pen& pen, double t, double height) {
     draw(pen, t, {height, 0.0, 0.0}, {kHandShare * height, 0.0, 0.0});
 }
 
-void StrokePath::rebound(Pen& pen) {
-    const double speed = pen.tip.velocity;
-    if (speed <= 0.0) return;
-    const double time = std::min(kReboundTime, kHighestRebound / (kShare * speed));
-    draw_rest(pen, pen.time + time, pen.tip.position + kShare * speed * time);
+StrokePath::Turn StrokePath::turn(const Pen& leaving, const std::optional<StrokeShape>& shape) {
+    const double thrown = leaving.tip.velocity;
+    if (thrown <= 0.0) return {leaving.time, leaving.tip.position};
+    if (!shape) {
+        const double time = std::min(kReboundTime, kHighestRebound / (kShare * thrown));
+        return {leaving.time + time, leaving.tip.position + kShare * thrown * time};
+    }
+    // Thrown up faster than the gesture goes, the stick is slowed down to its height at once.
+    const StrokeShape& s = *shape;
+    const double time = thrown >= s.peak_up
+                            ? s.rebound / (kShare * thrown)
+                            : time_with_peak(leaving.tip, {s.rebound, 0.0, 0.0}, s.peak_up);
+    return {leaving.time + time, s.rebound};
 }
 
-void StrokePath::wait(Pen& pen) {
-    rebound(pen);
+/// To where the rebound comes to rest, if that lies ahead.
+void StrokePath::draw_turn(Pen& pen, const Turn& turn) {
+    if (turn.time > pen.time) draw_rest(pen, turn.time, turn.height);
+}
+
+void StrokePath::wait(Pen& pen, const Turn& turn) {
+    draw_turn(pen, turn);
     draw_rest(pen, pen.time + kSinkTime, kWaitingHeight);
     draw_rest(pen, pen.time + kForever, kWaitingHeight);
 }
 
 void StrokePath::rest(double now) {
     Pen pen = cut(now);
-    if (aiming(now)) next_ = {};
-    wait(pen);
+    if (aiming(now)) {
+        next_ = {};
+    } else {
+        turn_ = turn(pen, aimed_);
+    }
+    aimed_.reset();
+    wait(pen, turn_);
 }
 
 bool StrokePath::aim(double now, const Aim& wish) {
@@ -189,48 +209,49 @@ bool StrokePath::aim(double now, const Aim& wish) {
     Aim aim = wish;
     if (aim.shape) aim.speed = aim.shape->impact;
     Pen pen = cut(now);
-    if (aim.time - pen.time >= kSingleArc) aim.shape ? raise_as(pen, aim) : raise(pen, aim);
+    if (!aiming(now)) {
+        last_ = next_;
+        turn_ = turn(pen, aimed_);
+    }
+    if (aim.time - pen.time >= kSingleArc) raise(pen, aim);
     strike(pen, aim);
-    if (aim.shape) rebound_as(pen, *aim.shape);
-    wait(pen);
-    if (!aiming(now)) last_ = next_;
     next_ = {aim.time, aim.time + aim.rebound.duration};
+    aimed_ = aim.shape;
+    wait(pen, turn(pen, aimed_));
     return true;
 }
 
-void StrokePath::raise(Pen& pen, const Aim& aim) {
-    const double down = std::min(aim.height / (kShare * aim.speed), 0.5 * (aim.time - pen.time));
-    const double raised = aim.time - down;
-    if (raised - pen.time > kReboundTime + kSinkTime + kRaiseTime) {
-        rebound(pen);
-        draw_rest(pen, pen.time + kSinkTime, kWaitingHeight);
-        draw_rest(pen, raised - kRaiseTime, kWaitingHeight);
-    } else if (raised - pen.time > kReboundTime + kRaiseTime) {
-        rebound(pen);
+StrokePath::Raise StrokePath::raise_for(const Aim& aim, const Pen& pen) {
+    const double time = aim.time - pen.time;
+    if (!aim.shape) {
+        const double down = std::min(aim.height / (kShare * aim.speed), 0.5 * time);
+        return {kShare * aim.speed * down, down, kRaiseTime, kWaitingHeight};
     }
-    draw_rest(pen, raised, kShare * aim.speed * down);
-}
-
-void StrokePath::raise_as(Pen& pen, const Aim& aim) {
     const StrokeShape& s = *aim.shape;
-    const double down = time_with_peak({s.rise, 0.0, 0.0}, {0.0, -s.impact, 0.0}, s.peak_down);
-    const double raised = aim.time - std::min(down, 0.6 * (aim.time - pen.time));
+    const double whole = time_with_peak({s.rise, 0.0, 0.0}, {0.0, -s.impact, 0.0}, s.peak_down);
+    const double down = std::min(whole, 0.5 * time);
+    // A quintic from rest to rest is 1.875 times as fast at its middle as in the mean.
+    const double highest = pen.tip.position + kFastestRise / 1.875 * (time - down);
+    const double height = std::min(s.rise * down / whole, highest);
     // The rise takes what is left of 0.4 s before the stroke, or a little more for a high one.
-    const double up = std::max(kRiseWindow - down, s.rise / kRiseSpeed);
-    if (raised - up - pen.time > kSinkTime) {
-        draw_rest(pen, pen.time + kSinkTime, kLowered);
-        draw_rest(pen, raised - up, kLowered);
-    }
-    draw_rest(pen, raised, s.rise);
+    return {height, down, std::max(kRiseWindow - down, height / kRiseSpeed), kLowered};
 }
 
-void StrokePath::rebound_as(Pen& pen, const StrokeShape& s) {
-    // Thrown up faster than the gesture goes, the stick is slowed down to its height at once.
-    const double thrown = pen.tip.velocity;
-    const double time = thrown >= s.peak_up
-                            ? s.rebound / (kShare * thrown)
-                            : time_with_peak(pen.tip, {s.rebound, 0.0, 0.0}, s.peak_up);
-    draw_rest(pen, pen.time + time, s.rebound);
+void StrokePath::raise(Pen& pen, const Aim& aim) {
+    const Raise raise = raise_for(aim, pen);
+    const double raised = aim.time - raise.down;
+    const double spare = raised - std::max(pen.time, turn_.time) - raise.time;
+    if (spare > kSinkTime) {
+        draw_turn(pen, turn_);
+        draw_rest(pen, pen.time + kSinkTime, raise.from);
+        draw_rest(pen, raised - raise.time, raise.from);
+    } else if (spare > 0.0 && turn_.time > pen.time) {
+        // No stop on the way from the rebound to the raised stick.
+        const double v = (raise.height - turn_.height) / (raised - turn_.time);
+        draw(pen, turn_.time, {turn_.height, v, 0.0},
+             {kHandShare * turn_.height, kHandShare * v, 0.0});
+    }
+    draw_rest(pen, raised, raise.height);
 }
 
 void StrokePath::strike(Pen& pen, const Aim& aim) {

@@ -53,7 +53,9 @@ struct Aim {
     double speed = 0.0;   ///< of the tip, downwards, at the impact [m/s]
     double height = 0.0;  ///< to raise the tip to, if there is time [m]
     Rebound rebound;
-    /// Of a gesture: its raise, speeds and rebound; speed and height above are then not used.
+    /// Of a gesture: its raise, speeds and rebound; speed and height above are then not used. With
+    /// little time it is raised less. Its rebound stays its own if another stroke follows, where
+    /// there is time for both: the end of one stroke prepares the next.
     std::optional<StrokeShape> shape = std::nullopt;
 };
 
@@ -105,12 +107,22 @@ class StrokePath {
     [[nodiscard]] double free_from(double now) const;
     void draw(Pen& pen, double t, const PathState& tip, const PathState& hand);
     void draw_rest(Pen& pen, double t, double height);
-    void rebound(Pen& pen);
-    void wait(Pen& pen);
+    /// When [s] and at which height [m] a rebound comes to rest.
+    struct Turn {
+        double time = -std::numeric_limits<double>::infinity();
+        double height = 0.0;
+    };
+    static Turn turn(const Pen& leaving, const std::optional<StrokeShape>& struck);
+    void draw_turn(Pen& pen, const Turn& turn);
+    void wait(Pen& pen, const Turn& turn);
+    /// How high the stick is raised [m], how long it then comes down and went up before [s], and
+    /// from which height if there is time to wait [m].
+    struct Raise {
+        double height, down, time, from;
+    };
+    static Raise raise_for(const Aim& aim, const Pen& pen);
     void raise(Pen& pen, const Aim& aim);
     void strike(Pen& pen, const Aim& aim);
-    void raise_as(Pen& pen, const Aim& aim);
-    void rebound_as(Pen& pen, const StrokeShape& shape);
 
     Track tip_, hand_;
     /// The stay in the head after an impact.
@@ -119,7 +131,9 @@ class StrokePath {
         double leaves = impact;
         [[nodiscard]] bool holds(double t) const { return t >= impact && t < leaves; }
     };
-    Dip next_, last_;  ///< of the stroke aimed at, and of the one before it
+    Dip next_, last_;                   ///< of the stroke aimed at, and of the one before it
+    std::optional<StrokeShape> aimed_;  ///< gesture of the stroke aimed at, if it has one
+    Turn turn_;                         ///< of the stroke before it
 };
 
 }  // namespace percussionist::body

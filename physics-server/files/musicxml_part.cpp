@@ -236,20 +236,13 @@ class PartReader {
     }
 
     static void articulate(const pugi::xml_node& node, MusicXmlNote& n) {
-        const auto louder = [&n](double by) { n.velocity = std::min(1.0, n.velocity + by); };
         for (const pugi::xml_node& notations : node.children("notations")) {
             for (const pugi::xml_node& mark : notations.child("articulations").children()) {
                 if (is(mark, "staccato")) n.nuance = Nuance::staccato;
                 if (is(mark, "staccatissimo") || is(mark, "spiccato")) n.nuance = Nuance::piston;
                 if (is(mark, "tenuto")) n.nuance = Nuance::tenuto;
-                if (is(mark, "accent")) {
-                    n.nuance = Nuance::accent;
-                    louder(0.15);
-                }
-                if (is(mark, "strong-accent")) {
-                    n.nuance = Nuance::vertical_accent;
-                    louder(0.25);
-                }
+                if (is(mark, "accent")) n.nuance = Nuance::accent;
+                if (is(mark, "strong-accent")) n.nuance = Nuance::vertical_accent;
             }
         }
     }

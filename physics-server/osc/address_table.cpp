@@ -1,10 +1,13 @@
 #include "osc/address_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <sstream>
 
 namespace percussionist::osc {
 
@@ -38,7 +41,11 @@ Feed feed(const std::string& name) {
     return name == "all" ? Feed::all : Feed::sound;
 }
 
+/// /play and /stop come first, then the manner of playing.
+constexpr int kBeforeManner = 2;
+
 constexpr Parameter kPort{"PORT", "", false, true, 1, 65535};
+constexpr Parameter kFeed{"FEED", "", true, false, 0, 0, false, "sound pose all"};
 constexpr Parameter kNumber{"NUMBER", "", false, true, 1, 1e9};
 constexpr Parameter kRoute{"ROUTE", "", true, true, 0, 0, true};
 
@@ -53,10 +60,6 @@ std::vector<Address> make_table() {
          "stop playing and let the sticks rest",
          {},
          [](Arguments, const Peer&) -> Command { return Stop{}; }},
-        {"/tempo",
-         "how fast, as a multiple of the score's own tempo; at once",
-         {{"FACTOR", "", false, true, 0.1, 10.0}},
-         [](Arguments a, const Peer&) -> Command { return Tempo{number(a, 0)}; }},
         {"/score",
          "load a Standard MIDI File from the server's score folder, or built-in",
          {{"FILE", "", true, true}},
@@ -66,7 +69,7 @@ std::vector<Address> make_table() {
         {"/subscribe",
          "send events to PORT of the asker or of HOST; FEED is sound (contacts, clock, status), "
          "pose or all",
-         {kPort, {"FEED", "", true, false}, {"HOST", "", true, false}},
+         {kPort, kFeed, {"HOST", "", true, false}},
          [](Arguments a, const Peer& from) -> Command {
              return Subscribe{
                  {text(a, 2, from.host), port_text(number(a, 0))}, from, feed(text(a, 1, "sound"))};
@@ -117,17 +120,38 @@ std::vector<Address> make_table() {
     };
 }
 
+/// "sound, pose or all"
+std::string listed(const std::string& choices) {
+    std::istringstream words(choices);
+    std::vector<std::string> each{std::istream_iterator<std::string>(words), {}};
+    const std::string last = each.back();
+    each.pop_back();
+    return fmt::format("{} or {}", fmt::join(each, ", "), last);
+}
+
+bool is_choice(const std::string& choices, const std::string& word) {
+    std::istringstream words(choices);
+    return std::find(std::istream_iterator<std::string>(words), {}, word) !=
+           std::istream_iterator<std::string>();
+}
+
 std::string wrong(const Parameter& p, const Argument& got) {
     const std::string shown = std::holds_alternative<double>(got)
                                   ? fmt::format("{:g}", std::get<double>(got))
                                   : '\'' + std::get<std::string>(got) + '\'';
-    if (p.text) return fmt::format("{}: expected a text, got {}", p.name, shown);
+    if (p.text) {
+        const std::string expected = *p.choices != '\0' ? listed(p.choices) : "a text";
+        return fmt::format("{}: expected {}, got {}", p.name, expected, shown);
+    }
     return fmt::format("{}: expected a number from {:g} to {:g}{}{}, got {}", p.name, p.least,
                        p.most, *p.unit != '\0' ? " " : "", p.unit, shown);
 }
 
 bool fits(const Parameter& p, const Argument& got) {
-    if (p.text) return std::holds_alternative<std::string>(got);
+    if (p.text) {
+        const auto* word = std::get_if<std::string>(&got);
+        return word != nullptr && (*p.choices == '\0' || is_choice(p.choices, *word));
+    }
     const double* value = std::get_if<double>(&got);
     return value != nullptr && *value >= p.least && *value <= p.most;
 }
@@ -146,12 +170,6 @@ std::string fault(const Address& address, std::span<const Argument> arguments) {
         if (!fits(address.parameters[i], arguments[i])) {
             return wrong(address.parameters[i], arguments[i]);
         }
-        if (address.parameters[i].name == std::string("FEED")) {
-            const auto& name = std::get<std::string>(arguments[i]);
-            if (name != "sound" && name != "pose" && name != "all") {
-                return "FEED: expected sound, pose or all, got '" + name + "'";
-            }
-        }
     }
     return {};
 }
@@ -159,7 +177,12 @@ std::string fault(const Address& address, std::span<const Argument> arguments) {
 }  // namespace
 
 const std::vector<Address>& address_table() {
-    static const std::vector<Address> table = make_table();
+    static const std::vector<Address> table = [] {
+        std::vector<Address> all = make_table();
+        const std::vector<Address> manner = manner_addresses();
+        all.insert(all.begin() + kBeforeManner, manner.begin(), manner.end());
+        return all;
+    }();
     return table;
 }
 
@@ -168,7 +191,11 @@ std::string usage(const Address& address) {
     for (const Parameter& p : address.parameters) {
         line += p.required ? fmt::format(" {}", p.name) : fmt::format(" [{}]", p.name);
         if (p.rest) line += "...";
-        if (!p.text && p.most > p.least) line += fmt::format(" ({:g} to {:g})", p.least, p.most);
+        if (*p.choices != '\0') line += fmt::format(" ({})", listed(p.choices));
+        if (!p.text && p.most > p.least) {
+            line += fmt::format(" ({:g} to {:g}{}{})", p.least, p.most, *p.unit != '\0' ? " " : "",
+                                p.unit);
+        }
     }
     return line;
 }

@@ -9,12 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "osc/argument.hpp"
 #include "osc/command.hpp"
 
 namespace percussionist::osc {
-
-/// An OSC argument; numbers of any type become double.
-using Argument = std::variant<double, std::string>;
 
 struct Parameter {
     const char* name;
@@ -23,7 +21,8 @@ struct Parameter {
     bool required = true;
     double least = 0.0;  ///< of a number
     double most = 0.0;
-    bool rest = false;  ///< the last one: any number of words and numbers, read as a line
+    bool rest = false;         ///< the last one: any number of words and numbers, read as a line
+    const char* choices = "";  ///< of a text: the words it may be; "": any
 };
 
 struct Address {
@@ -34,6 +33,9 @@ struct Address {
 };
 
 const std::vector<Address>& address_table();
+
+/// Its part on how the percussionist plays, with what, and where.
+std::vector<Address> manner_addresses();
 
 /// A message that could not be understood: one line that names it and says what was expected.
 struct Refusal {

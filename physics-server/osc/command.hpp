@@ -1,6 +1,7 @@
 // What the server can be told over OSC: plain values, checked where the packet came in.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -15,10 +16,62 @@ struct Peer {
 
 struct Play {};
 struct Stop {};
-/// A multiple of the score's own tempo.
+
+// How it plays, with what, and where; hands: 0 left, 1 right, none: both.
+
+/// A multiple of the score's own tempo, reached within some time [s].
 struct Tempo {
+    double factor = 1.0, seconds = 0.0;
+};
+/// The tempo sways by a share within each so many seconds of the score.
+struct Rubato {
+    double depth = 0.0, period = 4.0;
+};
+struct SetGrip {
+    bool french = false;
+};
+/// A gesture's name, or "score".
+struct SetNuance {
+    std::string name;
+    std::optional<int> hand;
+    Peer asker;
+};
+/// Of raised sticks, a factor.
+struct SetHeight {
     double factor = 1.0;
 };
+/// Where on the head, a share of its radius.
+struct SetPlace {
+    double share = 0.75;
+    std::optional<int> hand;
+};
+struct SetLeading {
+    int hand = 1;
+};
+/// Of the head above the floor [m].
+struct SetHeadHeight {
+    double height = 0.92;
+};
+struct SetMembrane {
+    double radius = 0.33, tension = 3500.0, density = 0.262;  ///< [m], [N/m], [kg/m^2]
+};
+struct SetMallet {
+    double mass = 0.045, stiffness = 1e8;  ///< [kg], [N/m^a]
+};
+struct SetTracking {
+    bool tips = true;
+};
+struct SetInverse {
+    std::string name;
+};
+struct SetLaw {
+    bool paper = false;
+};
+/// Of every joint [Hz]; 1: critical damping.
+struct SetGain {
+    double frequency = 20.0, damping = 1.0;
+};
+
 struct LoadScore {
     std::string path;
     Peer asker;
@@ -61,7 +114,9 @@ struct SaveRoutes {
     Peer asker;
 };
 
-using Command = std::variant<Play, Stop, Tempo, LoadScore, Subscribe, Unsubscribe, Ping, Describe,
-                             AddRoute, ChangeRoute, RemoveRoute, ListRoutes, SaveRoutes>;
+using Command = std::variant<Play, Stop, Tempo, Rubato, SetGrip, SetNuance, SetHeight, SetPlace,
+                             SetLeading, SetHeadHeight, SetMembrane, SetMallet, SetTracking,
+                             SetInverse, SetLaw, SetGain, LoadScore, Subscribe, Unsubscribe, Ping,
+                             Describe, AddRoute, ChangeRoute, RemoveRoute, ListRoutes, SaveRoutes>;
 
 }  // namespace percussionist::osc

@@ -258,6 +258,8 @@ void Endpoint::send(const Outgoing& message) {
     } else if (const auto* status = std::get_if<StatusMessage>(&message)) {
         broadcast(encode(*status, subscribers(), lookahead), Feed::all);
         send_routed(event_of(*status));
+    } else if (const auto* state = std::get_if<StateMessage>(&message)) {
+        broadcast(encode(*state, lookahead), Feed::all);
     } else if (const auto* started = std::get_if<StartedMessage>(&message)) {
         broadcast(encode(*started, lookahead), Feed::all);
     } else if (const auto* finished = std::get_if<FinishedMessage>(&message)) {

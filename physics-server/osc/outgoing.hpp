@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "osc/argument.hpp"
+
 namespace percussionist::osc {
 
 /// Instants are seconds of the server's own steady wall clock (since 1970 at its start).
@@ -66,6 +68,16 @@ struct StatusMessage {
     std::int32_t late_steps = 0, strokes = 0, contacts = 0;
 };
 
+/// How it plays now: a /state each. Told when it changes and each second.
+struct StateMessage {
+    struct Item {
+        std::string name;
+        std::vector<Argument> values;
+    };
+    double wall = 0.0;
+    std::vector<Item> items;
+};
+
 /// A score is begun: what sounds along with it begins at its time 0.
 struct StartedMessage {
     double wall = 0.0;   ///< of the score's time 0 [s]
@@ -83,7 +95,8 @@ struct FinishedMessage {
     std::int32_t strokes = 0, contacts = 0;
 };
 
-using Outgoing = std::variant<ContactMessage, StrikeMessage, PoseMessage, SceneMessage,
-                              StatusMessage, StartedMessage, FinishedMessage, DroppedMessage>;
+using Outgoing =
+    std::variant<ContactMessage, StrikeMessage, PoseMessage, SceneMessage, StatusMessage,
+                 StateMessage, StartedMessage, FinishedMessage, DroppedMessage>;
 
 }  // namespace percussionist::osc

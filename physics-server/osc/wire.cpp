@@ -202,6 +202,16 @@ Packet encode(const StatusMessage& s, int subscribers, double lookahead) {
                        s.contacts, static_cast<std::int32_t>(subscribers));
 }
 
+Packet encode(const StateMessage& state, double lookahead) {
+    Bundle bundle = make_bundle(state.wall + lookahead);
+    for (const StateMessage::Item& item : state.items) {
+        std::vector<Argument> arguments{item.name};
+        arguments.insert(arguments.end(), item.values.begin(), item.values.end());
+        lo_bundle_add_message(bundle.get(), "/state", make_message_of(arguments));
+    }
+    return serialise(bundle);
+}
+
 Packet encode(const StartedMessage& s, double lookahead) {
     return one_message(s.wall + lookahead, "/started", s.tempo);
 }

@@ -21,6 +21,7 @@ Packet encode(const ContactMessage& contact, std::span<const ContactMessage> ear
 Packet encode(const PoseMessage& pose, double lookahead);
 Packet encode(const SceneMessage& scene, double lookahead);
 Packet encode(const StatusMessage& status, int subscribers, double lookahead);
+Packet encode(const StateMessage& state, double lookahead);
 Packet encode(const StartedMessage& started, double lookahead);
 Packet encode(const FinishedMessage& finished, double lookahead);
 Packet encode(const DroppedMessage& dropped);

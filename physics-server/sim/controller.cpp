@@ -87,12 +87,17 @@ Controller::Controller(OdeBody& body, const ControlOptions& options, double h)
     const Skeleton& skeleton = body.skeleton();
     inertia_.resize(skeleton.segments.size(), 0.0);
     own_inertia_.resize(skeleton.segments.size(), Vector3::Zero());
+    weigh();
+    for (const Hand hand : {Hand::left, Hand::right}) {
+        hand_of_grip_[skeleton.stick_index(hand)] = static_cast<int>(hand);
+    }
+}
+
+void Controller::weigh() {
+    const Skeleton& skeleton = body_.skeleton();
     for (int i = 1; i < skeleton.size(); ++i) {
         inertia_[i] = hanging_inertia(skeleton, i);
         own_inertia_[i] = reduced_inertia(skeleton, i);
-    }
-    for (const Hand hand : {Hand::left, Hand::right}) {
-        hand_of_grip_[skeleton.stick_index(hand)] = static_cast<int>(hand);
     }
 }
 

@@ -58,6 +58,8 @@ class Controller {
     [[nodiscard]] const std::vector<double>& resistance() const { return resistance_; }
 
     // All of these may be called between two steps. Throws std::invalid_argument.
+    /// Takes over the masses of the skeleton, which have changed.
+    void weigh();
     void set_law(Law law) { options_.law = law; }
     /// Of every joint [Hz], 0.1 to 1000, and its damping (1: critical), 0.01 to 10.
     void set_gains(double frequency, double damping);

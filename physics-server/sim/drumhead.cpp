@@ -38,6 +38,15 @@ Drumhead::Drumhead(const DrumheadOptions& options, double h)
 
 void Drumhead::tune(const modal::Membrane& membrane, const modal::Decay& decay) {
     membrane_.tune(membrane, decay);
+    for (Hand& hand : hands_) hand.placed = linear::Vector3::Constant(1e9);
+}
+
+void Drumhead::set_tip_stiffness(double stiffness) {
+    modal::Mallet felt = felt_;
+    felt.stiffness = stiffness;
+    modal::check(felt);
+    felt_ = felt;
+    for (modal::Striker& striker : strikers_) striker.mallet.stiffness = stiffness;
 }
 
 bool Drumhead::near(const TouchingTip& tip) const {

@@ -53,6 +53,8 @@ class Drumhead {
 
     /// The head alone, to change while it sounds. Throws std::invalid_argument.
     void tune(const modal::Membrane& membrane, const modal::Decay& decay);
+    /// Of the felt; a contact under way goes on with it. Throws std::invalid_argument.
+    void set_tip_stiffness(double stiffness);
 
   private:
     /// A stroke is told when it is over or has lasted long; a tip still pressed in by then begins

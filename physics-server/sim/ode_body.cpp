@@ -9,6 +9,7 @@ using body::Segment;
 
 OdeBody::OdeBody(const body::Skeleton& skeleton, OdeWorld& world, double mass_factor)
     : skeleton_(skeleton),
+      mass_factor_(mass_factor),
       segments_(skeleton.segments.size(), nullptr),
       joints_(skeleton.segments.size(), nullptr),
       motors_(skeleton.segments.size(), nullptr),
@@ -16,11 +17,6 @@ OdeBody::OdeBody(const body::Skeleton& skeleton, OdeWorld& world, double mass_fa
     for (int i = 1; i < skeleton.size(); ++i) {
         const Segment& s = skeleton.segments[i];
         dBodyID b = dBodyCreate(world.id());
-        dMass mass;
-        dMassSetParameters(&mass, s.mass, 0, 0, 0, s.inertia.x(), s.inertia.y(), s.inertia.z(), 0,
-                           0, 0);
-        dMassAdjust(&mass, mass_factor * s.mass);
-        dBodySetMass(b, &mass);
         dBodySetPosition(b, s.com_rest.x(), s.com_rest.y(), s.com_rest.z());
         dBodySetGyroscopicMode(b, 1);
         segments_[i] = b;
@@ -41,10 +37,22 @@ OdeBody::OdeBody(const body::Skeleton& skeleton, OdeWorld& world, double mass_fa
         motors_[i] = motor;
         dJointSetFeedback(motor, &feedback_[i]);
     }
+    weigh();
     for (const Hand hand : {Hand::left, Hand::right}) {
         const int stick = skeleton.stick_index(hand);
         tips_[static_cast<int>(hand)] = {
             segments_[stick], skeleton.tip_rest(hand) - skeleton.segments[stick].com_rest};
+    }
+}
+
+void OdeBody::weigh() {
+    for (int i = 1; i < skeleton_.size(); ++i) {
+        const Segment& s = skeleton_.segments[i];
+        dMass mass;
+        dMassSetParameters(&mass, s.mass, 0, 0, 0, s.inertia.x(), s.inertia.y(), s.inertia.z(), 0,
+                           0, 0);
+        dMassAdjust(&mass, mass_factor_ * s.mass);
+        dBodySetMass(segments_[i], &mass);
     }
 }
 

@@ -17,6 +17,9 @@ class OdeBody {
     /// Masses and inertias are the skeleton's times `mass_factor`.
     OdeBody(const body::Skeleton& skeleton, OdeWorld& world, double mass_factor = 1.0);
 
+    /// Takes over the skeleton's masses and inertias, which have changed.
+    void weigh();
+
     /// Puts every segment where `placement` has it, at rest.
     void place(const body::Placement& placement);
     /// Gives every segment the velocity with which it comes from `before` to `after` in `time` [s].
@@ -52,6 +55,7 @@ class OdeBody {
     [[nodiscard]] const Tip& tip(body::Hand hand) const { return tips_[static_cast<int>(hand)]; }
 
     const body::Skeleton& skeleton_;
+    double mass_factor_;
     std::vector<dBodyID> segments_;
     std::vector<dJointID> joints_, motors_;
     std::vector<dJointFeedback> feedback_;  ///< of the motors

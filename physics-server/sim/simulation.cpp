@@ -37,6 +37,11 @@ constexpr double kMostLean = 0.5;
 constexpr double kThumbsUp = 1.2;
 /// In which time targets go over from one motion to another [s].
 constexpr double kFade = 0.5;
+/// In which time the place of a stroke, or the head, moves to another [s].
+constexpr double kMove = 0.4;
+/// Near the middle of the head the sticks are not as far apart: this share of their distance from
+/// it.
+constexpr double kMostSideways = 0.7;
 
 /// Short steps need fewer iterations to follow.
 body::InverseKinematicsOptions kinematics_options(double rate) {
@@ -44,6 +49,12 @@ body::InverseKinematicsOptions kinematics_options(double rate) {
     body::InverseKinematicsOptions o;
     if (rate >= kShortSteps) o.iterations = 1;
     return o;
+}
+
+void check_range(const char* what, double value, double least, double most) {
+    if (value >= least && value <= most) return;
+    throw std::invalid_argument(std::string(what) + ": expected " + std::to_string(least) + " to " +
+                                std::to_string(most) + ", got " + std::to_string(value));
 }
 
 double checked_rate(double rate) {
@@ -75,17 +86,12 @@ Simulation::Simulation(const SimulationOptions& options)
     controller_ = std::make_unique<Controller>(*body_, options.control, h_);
     head_ = std::make_unique<Drumhead>(options.head, h_);
 
-    // The sticks meet the head side by side, at the same distance from its middle.
-    const double apart = 0.5 * options.strikes_apart;
-    const double radius = options.strike_radius * options.head.membrane.radius;
-    const double reach_x =
-        0.5 * (skeleton_.tip_rest(Hand::left).x() + skeleton_.tip_rest(Hand::right).x());
-    head_centre_ = {reach_x + std::sqrt(std::max(0.0, radius * radius - apart * apart)), 0.0,
-                    options.head_height};
+    strike_radius_ = {options.strike_radius, options.strike_radius};
     for (const Hand hand : kHands) {
-        places_[index(hand)] = {reach_x, hand == Hand::left ? apart : -apart, options.head_height};
+        offsets_[index(hand)] = MovingPlace(offset(hand));
         last_velocity_[index(hand)].setZero();
     }
+    head_place_ = MovingPlace(head_goal());
 
     settle(0.0);
     target_.before = target_.now = target_.after = solution_;
@@ -93,18 +99,81 @@ Simulation::Simulation(const SimulationOptions& options)
     body_->place(solved_);
     body_->read(actual_);
 
+    forecast();
+}
+
+/// The sticks meet the head side by side, at the same distance from its middle.
+Vector3 Simulation::offset(Hand hand) const {
+    const double radius = strike_radius_[index(hand)] * options_.head.membrane.radius;
+    const double apart = std::min(0.5 * options_.strikes_apart, kMostSideways * radius);
+    return {-std::sqrt(radius * radius - apart * apart), hand == Hand::left ? apart : -apart, 0.0};
+}
+
+/// The head stands where the sticks meet it with the arms as they are at rest: who plays further in
+/// stands nearer.
+Vector3 Simulation::head_goal() const {
+    const auto mean_x = [](const Vector3& left, const Vector3& right) {
+        return 0.5 * (left.x() + right.x());
+    };
+    const double reach = mean_x(skeleton_.tip_rest(Hand::left), skeleton_.tip_rest(Hand::right));
+    return {reach - mean_x(offset(Hand::left), offset(Hand::right)), 0.0, options_.head_height};
+}
+
+void Simulation::move_places() {
+    for (const Hand hand : kHands) offsets_[index(hand)].go(time(), offset(hand), kMove);
+    head_place_.go(time(), head_goal(), kMove);
+}
+
+void Simulation::forecast() {
     const double mass = tip_mass_[0](actual_, Vector3::UnitZ(), bare_);
-    forecast_ = std::make_unique<ImpactForecast>(options.head, h_, mass, places_[0] - head_centre_);
+    forecast_ = std::make_unique<ImpactForecast>(options_.head, h_, mass, offset(Hand::left));
+}
+
+void Simulation::set_strike_radius(Hand hand, double share) {
+    check_range("strike radius", share, 0.05, 0.95);
+    strike_radius_[index(hand)] = share;
+    move_places();
+}
+
+void Simulation::set_head_height(double height) {
+    check_range("height of the head [m]", height, 0.6, 1.2);
+    options_.head_height = height;
+    move_places();
+}
+
+void Simulation::set_membrane(const modal::Membrane& membrane) {
+    check_range("radius of the head [m]", membrane.radius, 0.1, 0.6);
+    head_->tune(membrane, options_.head.decay);
+    options_.head.membrane = membrane;
+    move_places();
+    forecast();
+}
+
+void Simulation::set_mallet(double mass, double stiffness) {
+    check_range("mass of a stick [kg]", mass, 0.01, 0.3);
+    check_range("stiffness of a tip", stiffness, 1e5, 1e11);
+    for (const Hand hand : kHands) {
+        body::Segment& stick = skeleton_.segments[skeleton_.stick_index(hand)];
+        stick.inertia *= mass / stick.mass;
+        stick.mass = mass;
+    }
+    skeleton_.stick.mass = mass;
+    body_->weigh();
+    controller_->weigh();
+    head_->set_tip_stiffness(stiffness);
+    options_.head.tip.stiffness = stiffness;
+    options_.person.stick.mass = mass;
+    forecast();
 }
 
 Vector3 Simulation::tip(Hand hand) const {
     const Vector3 ball = Vector3::UnitZ() * skeleton_.stick.tip_radius;
-    return body_->tip_position(hand) - ball - places_[index(hand)];
+    return body_->tip_position(hand) - ball - strike_place(hand, time());
 }
 
 Vector3 Simulation::tip_target(Hand hand) const {
     const Vector3 ball = Vector3::UnitZ() * skeleton_.stick.tip_radius;
-    return target_.placed_now.tip(skeleton_, hand) - ball - places_[index(hand)];
+    return target_.placed_now.tip(skeleton_, hand) - ball - strike_place(hand, time());
 }
 
 bool Simulation::strike(Hand hand, double time, double speed, double height) {
@@ -123,11 +192,12 @@ body::ArmTarget Simulation::arm_target(Hand hand, double t) const {
     const double height = path(hand).tip(t).position;
     const double raised = std::max(0.0, height);
     body::ArmTarget target;
-    target.tip = places_[index(hand)];
+    target.tip = strike_place(hand, t);
+    const double head = target.tip.z();
     target.tip.x() -= kArc * raised * raised;
     target.tip.z() += skeleton_.stick.tip_radius + height;
-    target.grip_height = options_.head_height + skeleton_.stick.tip_radius + kHandAboveTip +
-                         path(hand).hand(t).position;
+    target.grip_height =
+        head + skeleton_.stick.tip_radius + kHandAboveTip + path(hand).hand(t).position;
     return target;
 }
 
@@ -145,6 +215,7 @@ void Simulation::settle(double t) {
 
 void Simulation::fill_target(double t) {
     asked_ = asked_next_;
+    if (thumbs_up_.moves(t - h_)) turn_grip(t);
     if (clip_ && tracking_ == body::Tracking::joints) {
         clip_->posture(t - clip_start_, target_.after, target_.placed_after);
     } else {
@@ -208,35 +279,46 @@ void Simulation::follow_strokes() {
 
 void Simulation::set_tracking(body::Tracking tracking) {
     if (tracking == tracking_) return;
-    begin_fade();
     tracking_ = tracking;
+    if (!clip_) return;
+    begin_fade();
     settle(time());
 }
 
 void Simulation::set_inverse(body::Inverse inverse) {
-    begin_fade();
+    if (clip_) begin_fade();  // the tips of strokes do as they are asked to
     kinematics_.set_inverse(inverse);
 }
 
 void Simulation::set_grip(body::Grip grip) {
-    const bool french = grip == body::Grip::french;
+    thumbs_up_.go(time(), grip == body::Grip::french ? 1.0 : 0.0, kFade);
+    strokes_rest_ = grip_rest(thumbs_up_.goal());
+    if (!clip_) kinematics_.set_rest(strokes_rest_);
+    turn_grip(time());
+}
+
+/// The posture to which strokes are pulled: palms down (0) to thumbs up (1).
+body::Posture Simulation::grip_rest(double thumbs_up) const {
     body::Posture rest(skeleton_);
     for (const Hand hand : kHands) {
-        const std::string side = body::Skeleton::side(hand);
         const double inwards = hand == Hand::left ? -1.0 : 1.0;
-        if (french) {
-            rest.joints[skeleton_.index(side + "forearm")] =
-                linear::quaternion_exp(inwards * kThumbsUp * Vector3::UnitX());
-        }
-        // With thumbs up the stick swings about the axis across the palm.
-        kinematics_.set_readiness(skeleton_.index(side + "hand"),
-                                  french ? Vector3(0.0, 0.4, 1.0) : Vector3(0.0, 1.0, 0.4));
-        kinematics_.set_readiness(skeleton_.stick_index(hand),
-                                  french ? Vector3(0.0, 0.2, 1.0) : Vector3(0.0, 1.0, 0.2));
+        rest.joints[skeleton_.index(body::Skeleton::side(hand) + "forearm")] =
+            linear::quaternion_exp(inwards * thumbs_up * kThumbsUp * Vector3::UnitX());
     }
-    begin_fade();
-    kinematics_.set_rest(rest);
-    strokes_rest_ = rest;
+    return rest;
+}
+
+/// On the way from one grip to the other the tips do as they are asked to.
+void Simulation::turn_grip(double t) {
+    const double share = thumbs_up_.at(t);
+    if (!clip_) kinematics_.pull_to(grip_rest(share));
+    for (const Hand hand : kHands) {
+        // With thumbs up the stick swings about the axis across the palm.
+        kinematics_.set_readiness(skeleton_.hand_index(hand),
+                                  Vector3(0.0, 1.0 - 0.6 * share, 0.4 + 0.6 * share));
+        kinematics_.set_readiness(skeleton_.stick_index(hand),
+                                  Vector3(0.0, 1.0 - 0.8 * share, 0.2 + 0.8 * share));
+    }
 }
 
 void Simulation::set_limits(int segment, const body::JointLimits& limits) {
@@ -270,8 +352,9 @@ void Simulation::mark_contacts() {
 
 TouchingTip Simulation::touching_tip(Hand hand) {
     const int i = index(hand);
-    const Vector3 velocity = body_->tip_velocity(hand);
-    const Vector3 place = body_->tip_position(hand) - head_centre_;
+    const Vector3 head_velocity = (head_place_.at(time() + h_) - head_centre()) / h_;
+    const Vector3 velocity = body_->tip_velocity(hand) - head_velocity;
+    const Vector3 place = body_->tip_position(hand) - head_centre();
     TouchingTip t;
     t.place = place;
     t.place.z() -= skeleton_.stick.tip_radius;
@@ -291,7 +374,7 @@ TouchingTip Simulation::touching_tip(Hand hand) {
 void Simulation::step(std::vector<ContactEvent>& contacts) {
     fill_target(time() + h_);
     mark_contacts();
-    const bool by_tips = !clip_ || tracking_ == body::Tracking::tips;
+    const bool by_tips = tracking_ == body::Tracking::tips;
     if (controller_->options().law == Law::paper && by_tips) correct_by_tips();
     controller_->apply(target_);
     if (options_.head_there) strike_head(contacts);

@@ -23,6 +23,7 @@
 #include "sim/controller.hpp"
 #include "sim/drumhead.hpp"
 #include "sim/impact_forecast.hpp"
+#include "sim/moving_place.hpp"
 #include "sim/ode_body.hpp"
 
 namespace percussionist::sim {
@@ -73,7 +74,9 @@ class Simulation {
     void follow_strokes();
     /// Null while it follows strokes.
     [[nodiscard]] const body::ClipFollower* following() const { return clip_.get(); }
-    /// Of a clip: joints or tips. Strokes are followed by their tips.
+    /// Of a clip: joints or tips. Strokes are paths of the tips: by joints, inverse kinematics
+    /// alone leads them; by tips, errors of the simulated tips are leaned against too, where the
+    /// law leaves any (the papers').
     void set_tracking(body::Tracking tracking);
     void set_inverse(body::Inverse inverse);
     /// How the sticks are held: palms down (german) or thumbs up (french). Strokes alone.
@@ -84,6 +87,24 @@ class Simulation {
     /// The papers' law follows tips by leaning against the errors of the simulated ones, equation 1
     /// closed over the body: this much for an error as it comes (and more for one that lasts).
     void set_cartesian_gain(double gain) { cartesian_gain_ = gain; }
+    // What it plays with and where. All between any two steps; places go over smoothly, strokes
+    // under way go on. All throw std::invalid_argument and then change nothing.
+
+    /// Where a stick is to meet the head: 0.05 to 0.95 of its radius, towards the player. The head
+    /// moves to where the arms reach that with ease, as a player would step nearer.
+    void set_strike_radius(body::Hand hand, double share);
+    [[nodiscard]] double strike_radius(body::Hand hand) const {
+        return strike_radius_[static_cast<int>(hand)];
+    }
+    /// Of the head above the floor, 0.6 to 1.2 m.
+    void set_head_height(double height);
+    /// Another skin, of a radius from 0.1 to 0.6 m; takes some milliseconds.
+    void set_membrane(const modal::Membrane& membrane);
+    /// Of both sticks, 0.01 to 0.3 kg, and of their felt or wood (modal::Mallet::stiffness), 1e5 to
+    /// 1e11; takes some milliseconds.
+    void set_mallet(double mass, double stiffness);
+    [[nodiscard]] const SimulationOptions& options() const { return options_; }
+
     /// Of the joint of one segment.
     void set_limits(int segment, const body::JointLimits& limits);
 
@@ -101,7 +122,11 @@ class Simulation {
     /// Where the target has it.
     [[nodiscard]] Vector3 tip_target(body::Hand hand) const;
     /// The head's middle, world [m].
-    [[nodiscard]] const Vector3& head_centre() const { return head_centre_; }
+    [[nodiscard]] Vector3 head_centre() const { return head_place_.at(time()); }
+    /// A tip, where it strikes, world [m].
+    [[nodiscard]] Vector3 strike_place(body::Hand hand, double t) const {
+        return head_place_.at(t) + offsets_[static_cast<int>(hand)].at(t);
+    }
     /// False once the simulation has gone astray (it never should).
     [[nodiscard]] bool sane() const { return body_->sane(); }
 
@@ -114,6 +139,12 @@ class Simulation {
     void fade(double t);
     void begin_fade();
     void settle(double t);
+    [[nodiscard]] Vector3 offset(body::Hand hand) const;
+    [[nodiscard]] Vector3 head_goal() const;
+    void move_places();
+    void forecast();
+    [[nodiscard]] body::Posture grip_rest(double thumbs_up) const;
+    void turn_grip(double t);
     void correct_by_tips();
     void mark_contacts();
     void strike_head(std::vector<ContactEvent>& contacts);
@@ -131,10 +162,12 @@ class Simulation {
     body::InverseKinematics kinematics_;
     std::array<body::TipMass, 2> tip_mass_;
     std::array<body::StrokePath, 2> paths_;
-    std::array<Vector3, 2> places_;  ///< where each stick meets the head, world [m]
+    MovingPlace head_place_;              ///< of its middle, world [m]
+    std::array<MovingPlace, 2> offsets_;  ///< from there to where each stick meets it [m]
+    std::array<double, 2> strike_radius_;
+    MovingNumber thumbs_up_;  ///< the grip: 0 german, 1 french
     std::array<Vector3, 2> last_velocity_;
     std::array<double, 2> last_impulse_{};
-    Vector3 head_centre_;
     Target target_;
     body::Posture solution_;  ///< of inverse kinematics
     body::Placement solved_, actual_;

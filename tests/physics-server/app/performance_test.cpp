@@ -92,7 +92,7 @@ TEST_CASE("performance: a change of tempo moves the strokes to come, and loses n
     performance.load(strokes_of(std::vector<double>(12, 2.0), 0.5));
     performance.play();
     while (performance.simulation().time() < 2.2) performance.step();
-    performance.set_tempo(1.5);
+    performance.player().set_tempo(1.5);
     while (performance.playing()) performance.step();
     const app::TimingSummary s = performance.summary();
     CHECK(s.contacts == 12);

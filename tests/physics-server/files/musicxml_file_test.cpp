@@ -68,8 +68,7 @@ TEST_CASE("musicxml: articulations are nuances") {
     CHECK(s.notes[2].nuance == Nuance::vertical_accent);
     CHECK(s.notes[3].nuance == Nuance::staccato);
     CHECK(s.notes[4].nuance == Nuance::tenuto);
-    CHECK(s.notes[1].velocity > s.notes[0].velocity);
-    CHECK(s.notes[2].velocity > s.notes[1].velocity);
+    for (const auto& n : s.notes) CHECK(n.velocity == s.notes[0].velocity);  // the dynamic's
 }
 
 TEST_CASE("musicxml: tempo marks and a ritardando between them") {

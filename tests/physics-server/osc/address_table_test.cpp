@@ -28,7 +28,8 @@ TEST_CASE("address table: what it lists is understood with the arguments it name
         for (const Parameter& p : address.parameters) {
             if (!p.required) break;
             if (p.text) {
-                arguments.emplace_back(std::string("built-in"));
+                std::string word = *p.choices != '\0' ? p.choices : "built-in";
+                arguments.emplace_back(word.substr(0, word.find(' ')));
             } else {
                 arguments.emplace_back(p.least);
             }
@@ -45,6 +46,9 @@ TEST_CASE("address table: wrong type, range or number of arguments is refused by
     CHECK(refusal("/tempo", {std::nan("")}).find("FACTOR") != std::string::npos);
     CHECK(refusal("/play", {1.0}) != "");
     CHECK(refusal("/subscribe", {7771.0, std::string("everything")}).find("FEED") !=
+          std::string::npos);
+    CHECK(refusal("/grip", {std::string("loose")}).find("german or french") != std::string::npos);
+    CHECK(refusal("/nuance", {std::string("accent"), std::string("foot")}).find("HAND") !=
           std::string::npos);
     CHECK(refusal("/dance", {}).find("/describe") != std::string::npos);
 }
