@@ -169,10 +169,10 @@ void Controller::apply_implicit(int joint, const Target& target) {
     const Vector3 error = above * quaternion_log(wanted * relative.conjugate());
     Vector3 rate = Vector3::Zero();
     if (!stopped) {
-        rate =
-            above *
-            (quaternion_log(target.after.joints[joint] * target.before.joints[joint].conjugate()) /
-             (2.0 * h_));
+        // ODE moves a body by its velocity at the step's end: what leads from now to after.
+        rate = above *
+               (quaternion_log(target.after.joints[joint] * target.now.joints[joint].conjugate()) /
+                h_);
     }
     const Gains g = gains(joint, stopped ? kStopFrequency : frequency(joint, target));
     const double softness = 1.0 / (h_ * g.kp + g.kd);

@@ -192,7 +192,7 @@ void Simulation::begin_with(std::shared_ptr<const body::Clip> clip, double start
         if (t <= now) target_.advance();
     }
     body_->place(target_.placed_now);
-    body_->set_velocities(target_.placed_before, target_.placed_after, 2.0 * h_);
+    body_->set_velocities(target_.placed_before, target_.placed_now, h_);
     asked_next_ = arm_targets(now);
     body_->read(actual_);
 }
