@@ -14,15 +14,22 @@ constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 constexpr double kLongestStep = 0.10;
 /// A learnt step need not come nearer than this [m].
 constexpr double kGoodEnough = 0.0005;
+/// Of tips reached by hands alone: iterations, and the damping, for a stick cannot be drawn along
+/// itself [m].
+constexpr int kReaching = 2;
+constexpr double kHandDamping = 0.015;
+constexpr double kLargestReach = 0.3;  // of a wrist in an iteration [rad]
 
 /// How readily each axis of a joint turns, out of what percussionists do: the wrist and the fingers
-/// bend before the elbow, the forearm twists little, the trunk hardly moves.
+/// bend before the elbow, the forearm twists little, the trunk hardly moves. An arm is heavy: what
+/// a hand can do it does not, but it follows the height that its hand is asked for.
 Vector3 readiness(const Segment& s) {
-    if (s.joint.ends_with("shoulder")) return {0.5, 0.6, 0.3};
-    if (s.joint.ends_with("elbow")) return {0.3, 0.8, 0.1};
+    constexpr double kHeavy = 0.3;
+    if (s.joint.ends_with("shoulder")) return kHeavy * Vector3(0.5, 0.6, 0.3);
+    if (s.joint.ends_with("elbow")) return kHeavy * Vector3(0.3, 0.8, 0.1);
     if (s.joint.ends_with("wrist")) return {0.0, 1.0, 0.4};
     if (s.joint.ends_with("grip")) return {0.0, 1.0, 0.2};
-    return Vector3::Constant(s.reach);
+    return Vector3::Constant(kHeavy * s.reach);
 }
 
 }  // namespace
@@ -33,6 +40,8 @@ InverseKinematics::InverseKinematics(const Skeleton& skeleton, InverseKinematics
     for (int i = 1; i < skeleton.size(); ++i) {
         if (skeleton.segments[i].reach <= 0.0) continue;
         Column c{i, readiness(skeleton.segments[i]), {}, {}};
+        const std::string& joint = skeleton.segments[i].joint;
+        c.of_hand = joint.ends_with("wrist") || joint.ends_with("grip");
         for (int h = 0; h < 2; ++h) {
             c.moves[h] = skeleton.moves(i, stick_[h]);
             c.moves_grip[h] = c.moves[h] && i != stick_[h];
@@ -63,6 +72,14 @@ void InverseKinematics::set_readiness(int segment, const Vector3& weight) {
     for (Column& c : columns_) {
         if (c.segment == segment) c.weight = weight;
     }
+}
+
+std::vector<int> InverseKinematics::arms() const {
+    std::vector<int> segments;
+    for (const Column& c : columns_) {
+        if (!c.of_hand) segments.push_back(c.segment);
+    }
+    return segments;
 }
 
 Vector3 InverseKinematics::grip(const Placement& placement, Hand hand) const {
@@ -149,39 +166,71 @@ void InverseKinematics::step(const Tasks& error, const Placement& placement) {
         learnt_->step(tasks(placement), wanted, step_);
         return;
     }
-    Eigen::Matrix<double, kTasks, kTasks> gram = Eigen::Matrix<double, kTasks, kTasks>::Zero();
+    Gram moved = gram(false);
     if (options_.inverse == Inverse::damped_least_squares) {
-        gram.diagonal().setConstant(options_.damping * options_.damping);
+        moved.diagonal().array() += options_.damping * options_.damping;
+        wanted = moved.llt().solve(wanted).eval();
+    } else {
+        const Tasks along = moved * wanted;
+        constexpr double kNothing = 1e-18;
+        wanted *= wanted.dot(along) / std::max(along.squaredNorm(), kNothing);
     }
+    spread(wanted, false);
+}
+
+InverseKinematics::Gram InverseKinematics::gram(bool hands_alone) const {
+    Gram sum = Gram::Zero();
     for (std::size_t k = 0; k < columns_.size(); ++k) {
+        if (hands_alone && !columns_[k].of_hand) continue;
         for (int a = 0; a < 3; ++a) {
             const double w = columns_[k].weight[a];
             if (w <= 0.0) continue;
             const auto column = jacobian_.col(static_cast<Eigen::Index>(3 * k) + a);
-            gram.noalias() += (w * w) * column * column.transpose();
+            sum.noalias() += (w * w) * column * column.transpose();
         }
     }
-    if (options_.inverse == Inverse::damped_least_squares) {
-        wanted = gram.llt().solve(wanted).eval();
-    } else {
-        const Tasks moved = gram * wanted;
-        constexpr double kNothing = 1e-18;
-        wanted *= wanted.dot(moved) / std::max(moved.squaredNorm(), kNothing);
-    }
-    step_.noalias() = jacobian_.transpose() * wanted;
+    return sum;
+}
+
+void InverseKinematics::spread(const Tasks& forces, bool hands_alone) {
+    step_.noalias() = jacobian_.transpose() * forces;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         auto three = step_.segment<3>(static_cast<Eigen::Index>(3 * k));
-        three = columns_[k].weight.cwiseAbs2().cwiseProduct(three).eval();
+        if (hands_alone && !columns_[k].of_hand) {
+            three.setZero();
+        } else {
+            three = columns_[k].weight.cwiseAbs2().cwiseProduct(three).eval();
+        }
     }
 }
 
-void InverseKinematics::turn(Posture& posture) const {
+void InverseKinematics::reach_by_hands(const ArmTargets& targets, Posture& posture,
+                                       Placement& placement) {
+    forward_kinematics(skeleton_, posture, placement);
+    pull_.setZero();
+    for (int i = 0; i < kReaching; ++i) {
+        fill_jacobian(placement);
+        Tasks error = errors(targets, placement);
+        // Where the grips are is the arms' affair.
+        for (const int height : {3, 7}) {
+            error[height] = 0.0;
+            jacobian_.row(height).setZero();
+        }
+        Gram moved = gram(true);
+        moved.diagonal().array() += kHandDamping * kHandDamping;
+        spread(moved.llt().solve(error), true);
+        turn(posture, kLargestReach);
+        forward_kinematics(skeleton_, posture, placement);
+    }
+}
+
+void InverseKinematics::turn(Posture& posture, double largest) const {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         const Column& c = columns_[k];
         const auto first = static_cast<Eigen::Index>(3 * k);
         Vector3 by = step_.segment<3>(first) + pull_.segment<3>(first);
         const double angle = by.norm();
-        if (angle > options_.largest_turn) by *= options_.largest_turn / angle;
+        if (angle > largest) by *= largest / angle;
         Quaternion& joint = posture.joints[c.segment];
         joint = (joint * linear::quaternion_exp(by)).normalized();
         joint = clamp(joint, skeleton_.segments[c.segment].limits);
@@ -194,7 +243,7 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Pla
     const Tasks error = errors(targets, placement);
     step(error, placement);
     if (options_.inverse != Inverse::learnt) {
-        turn(posture);
+        turn(posture, options_.largest_turn);
         forward_kinematics(skeleton_, posture, placement);
         return;
     }
@@ -203,7 +252,7 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Pla
     constexpr double kSmaller = 0.3;
     before_ = posture;
     for (int i = 0; i < kTries; ++i) {
-        turn(posture);
+        turn(posture, options_.largest_turn);
         forward_kinematics(skeleton_, posture, placement);
         if (errors(targets, placement).norm() <= std::max(error.norm(), kGoodEnough)) return;
         posture = before_;
@@ -218,7 +267,7 @@ void InverseKinematics::lean(const Tasks& wish, const Placement& placement, cons
     pull_.setZero();
     step(wish, placement);
     target = posture;
-    turn(target);
+    turn(target, options_.largest_turn);
 }
 
 }  // namespace percussionist::body

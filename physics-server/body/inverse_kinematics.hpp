@@ -54,6 +54,7 @@ class InverseKinematics {
         Vector3 weight;             ///< readiness of rotation about its own x y z, 0..1
         std::array<bool, 2> moves;  ///< whether it moves the tip of each hand
         std::array<bool, 2> moves_grip;
+        bool of_hand = false;  ///< wrist or grip
     };
 
     explicit InverseKinematics(const Skeleton& skeleton, InverseKinematicsOptions options = {});
@@ -75,6 +76,9 @@ class InverseKinematics {
     /// tips' remaining errors [m]. `placement` is that of the new posture.
     double solve(const ArmTargets& targets, Posture& posture, Placement& placement);
 
+    /// Brings the tips as near as wrists and fingers alone can, from where the arms are.
+    void reach_by_hands(const ArmTargets& targets, Posture& posture, Placement& placement);
+
     /// From where the tasks are to where they are wanted.
     [[nodiscard]] Tasks errors(const ArmTargets& targets, const Placement& placement) const;
     /// `target` is `posture` with its tasks moved by `wish`, by the Jacobian where the body is
@@ -86,6 +90,8 @@ class InverseKinematics {
     [[nodiscard]] Vector3 grip(const Placement& placement, Hand hand) const;
 
     [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
+    /// The segments whose joints it turns, but hands and sticks.
+    [[nodiscard]] std::vector<int> arms() const;
     [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
     /// Where the tasks are: tips, and grips' heights times their weight.
     [[nodiscard]] Tasks tasks(const Placement& placement) const;
@@ -94,7 +100,12 @@ class InverseKinematics {
     void fill_jacobian(const Placement& placement);
     void fill_pull(const Posture& posture);
     void step(const Tasks& error, const Placement& placement);
-    void turn(Posture& posture) const;
+    /// J W J^T, of all joints or of those of the hands alone.
+    using Gram = Eigen::Matrix<double, kTasks, kTasks>;
+    [[nodiscard]] Gram gram(bool hands_alone) const;
+    /// step_ = W J^T forces.
+    void spread(const Tasks& forces, bool hands_alone);
+    void turn(Posture& posture, double largest) const;
     void iterate(const ArmTargets& targets, Posture& posture, Placement& placement);
 
     const Skeleton& skeleton_;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "body/joint_strength.hpp"
+
 namespace percussionist::sim {
 
 using body::Hand;
@@ -21,18 +23,6 @@ constexpr double kMostStiffness = 0.5;
 constexpr double kMostDamping = 0.5;
 /// Beyond its limits a joint is pushed back at this frequency [Hz].
 constexpr double kStopFrequency = 40.0;
-
-/// The largest moment of inertia, about joint `i`, of all that hangs on it at rest.
-double hanging_inertia(const Skeleton& skeleton, int i) {
-    double inertia = 0.0;
-    for (int k = i; k < skeleton.size(); ++k) {
-        if (!skeleton.moves(i, k)) continue;
-        const Segment& s = skeleton.segments[k];
-        const double distance2 = (s.com_rest - skeleton.segments[i].joint_rest).squaredNorm();
-        inertia += s.mass * distance2 + s.inertia.maxCoeff();
-    }
-    return inertia;
-}
 
 /// The reduced inertia, by axis, of a joint whose two sides turn freely against each other.
 Vector3 reduced_inertia(const Skeleton& skeleton, int i) {
@@ -88,7 +78,7 @@ Controller::Controller(OdeBody& body, const ControlOptions& options, double h)
     inertia_.resize(skeleton.segments.size(), 0.0);
     own_inertia_.resize(skeleton.segments.size(), Vector3::Zero());
     for (int i = 1; i < skeleton.size(); ++i) {
-        inertia_[i] = hanging_inertia(skeleton, i);
+        inertia_[i] = body::hanging_inertia(skeleton, i);
         own_inertia_[i] = reduced_inertia(skeleton, i);
     }
     for (const Hand hand : {Hand::left, Hand::right}) {

@@ -27,8 +27,8 @@ enum class Law { implicit, paper };
 
 struct ControlOptions {
     Law law = Law::implicit;
-    double frequency = 20.0;         ///< of every joint but the grip [Hz]
-    double grip_frequency = 20.0;    ///< of the grip in free air [Hz]
+    double frequency = 40.0;         ///< of every joint but the grip [Hz]
+    double grip_frequency = 40.0;    ///< of the grip in free air [Hz]
     double contact_frequency = 6.0;  ///< of the grip about a contact: a loose hand [Hz]
     double damping = 1.0;            ///< of every joint; 1: critical
     double paper_frequency = 5.0;    ///< of every joint under the law of the papers [Hz]

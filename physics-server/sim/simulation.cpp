@@ -61,6 +61,7 @@ Simulation::Simulation(const SimulationOptions& options)
       h_(1.0 / checked_rate(options.rate)),
       skeleton_(body::make_skeleton(options.person)),
       kinematics_(skeleton_, kinematics_options(options.rate)),
+      strength_(skeleton_, kinematics_.arms(), h_),
       tip_mass_{body::TipMass(skeleton_, Hand::left), body::TipMass(skeleton_, Hand::right)},
       target_(skeleton_),
       solution_(skeleton_),
@@ -90,6 +91,7 @@ Simulation::Simulation(const SimulationOptions& options)
     settle(0.0);
     target_.before = target_.now = target_.after = solution_;
     target_.placed_before = target_.placed_now = target_.placed_after = solved_;
+    strength_.begin(solution_);
     body_->place(solved_);
     body_->read(actual_);
 
@@ -156,6 +158,14 @@ void Simulation::fill_target(double t) {
     fade(t);
 }
 
+void Simulation::hold_to_strength() {
+    if (clip_ && tracking_ == body::Tracking::joints) {
+        strength_.begin(target_.after);
+    } else if (strength_.hold(target_.before, target_.now, target_.after)) {
+        kinematics_.reach_by_hands(asked_next_, target_.after, target_.placed_after);
+    }
+}
+
 void Simulation::begin_fade() {
     faded_from_ = target_.after;
     fade_start_ = time();
@@ -191,6 +201,7 @@ void Simulation::begin_with(std::shared_ptr<const body::Clip> clip, double start
         fill_target(t);
         if (t <= now) target_.advance();
     }
+    strength_.begin(target_.now);
     body_->place(target_.placed_now);
     body_->set_velocities(target_.placed_before, target_.placed_now, h_);
     asked_next_ = arm_targets(now);
@@ -290,6 +301,7 @@ TouchingTip Simulation::touching_tip(Hand hand) {
 
 void Simulation::step(std::vector<ContactEvent>& contacts) {
     fill_target(time() + h_);
+    hold_to_strength();
     mark_contacts();
     const bool by_tips = !clip_ || tracking_ == body::Tracking::tips;
     if (controller_->options().law == Law::paper && by_tips) correct_by_tips();

@@ -17,6 +17,7 @@
 #include "body/clip_follower.hpp"
 #include "body/inverse_dynamics.hpp"
 #include "body/inverse_kinematics.hpp"
+#include "body/joint_strength.hpp"
 #include "body/posture.hpp"
 #include "body/stroke_path.hpp"
 #include "sim/contact_event.hpp"
@@ -110,7 +111,7 @@ class Simulation {
     [[nodiscard]] body::ArmTarget arm_target(body::Hand hand, double t) const;
     [[nodiscard]] body::ArmTargets arm_targets(double t) const;
     void fill_target(double t);
-    void fill_from_clip(double t);
+    void hold_to_strength();
     void fade(double t);
     void begin_fade();
     void settle(double t);
@@ -129,6 +130,7 @@ class Simulation {
     std::unique_ptr<Drumhead> head_;
     std::unique_ptr<ImpactForecast> forecast_;
     body::InverseKinematics kinematics_;
+    body::JointStrength strength_;  ///< of the joints of arms and trunk
     std::array<body::TipMass, 2> tip_mass_;
     std::array<body::StrokePath, 2> paths_;
     std::array<Vector3, 2> places_;  ///< where each stick meets the head, world [m]
