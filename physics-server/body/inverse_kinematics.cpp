@@ -12,6 +12,8 @@ namespace {
 constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 /// Of a tip in one iteration [m].
 constexpr double kLongestStep = 0.10;
+/// An arm is heavy: it is this much less ready than a hand, which so does what is fast.
+constexpr double kArms = 0.3;
 /// A learnt step need not come nearer than this [m].
 constexpr double kGoodEnough = 0.0005;
 /// Of tips reached by hands alone: iterations, and the damping, for a stick cannot be drawn along
@@ -20,26 +22,24 @@ constexpr int kReaching = 2;
 constexpr double kHandDamping = 0.015;
 constexpr double kLargestReach = 0.3;  // of a wrist in an iteration [rad]
 
-/// How readily each axis of a joint turns, out of what percussionists do: the wrist and the fingers
-/// bend before the elbow, the forearm twists little, the trunk hardly moves. An arm is heavy: what
-/// a hand can do it does not, but it follows the height that its hand is asked for.
-Vector3 readiness(const Segment& s) {
-    constexpr double kHeavy = 0.3;
-    if (s.joint.ends_with("shoulder")) return kHeavy * Vector3(0.5, 0.6, 0.3);
-    if (s.joint.ends_with("elbow")) return kHeavy * Vector3(0.3, 0.8, 0.1);
+}  // namespace
+
+// The wrist and the fingers bend before the elbow, the forearm twists little, the trunk hardly
+// moves.
+Vector3 InverseKinematics::usual_readiness(const Segment& s) {
+    if (s.joint.ends_with("shoulder")) return {0.5, 0.6, 0.3};
+    if (s.joint.ends_with("elbow")) return {0.3, 0.8, 0.1};
     if (s.joint.ends_with("wrist")) return {0.0, 1.0, 0.4};
     if (s.joint.ends_with("grip")) return {0.0, 1.0, 0.2};
-    return Vector3::Constant(kHeavy * s.reach);
+    return Vector3::Constant(s.reach);
 }
-
-}  // namespace
 
 InverseKinematics::InverseKinematics(const Skeleton& skeleton, InverseKinematicsOptions options)
     : skeleton_(skeleton), options_(options), rest_(skeleton), before_(skeleton) {
     for (const Hand hand : kHands) stick_[static_cast<int>(hand)] = skeleton.stick_index(hand);
     for (int i = 1; i < skeleton.size(); ++i) {
         if (skeleton.segments[i].reach <= 0.0) continue;
-        Column c{i, readiness(skeleton.segments[i]), {}, {}};
+        Column c{i, usual_readiness(skeleton.segments[i]), {}, {}};
         const std::string& joint = skeleton.segments[i].joint;
         c.of_hand = joint.ends_with("wrist") || joint.ends_with("grip");
         for (int h = 0; h < 2; ++h) {
@@ -159,14 +159,14 @@ void InverseKinematics::fill_pull(const Posture& posture) {
     }
 }
 
-void InverseKinematics::step(const Tasks& error, const Placement& placement) {
+void InverseKinematics::step(const Tasks& error, const Placement& placement, double arms) {
     Tasks wanted = error;
     wanted.noalias() -= jacobian_ * pull_;
     if (options_.inverse == Inverse::learnt) {
         learnt_->step(tasks(placement), wanted, step_);
         return;
     }
-    Gram moved = gram(false);
+    Gram moved = gram(arms);
     if (options_.inverse == Inverse::damped_least_squares) {
         moved.diagonal().array() += options_.damping * options_.damping;
         wanted = moved.llt().solve(wanted).eval();
@@ -175,15 +175,15 @@ void InverseKinematics::step(const Tasks& error, const Placement& placement) {
         constexpr double kNothing = 1e-18;
         wanted *= wanted.dot(along) / std::max(along.squaredNorm(), kNothing);
     }
-    spread(wanted, false);
+    spread(wanted, arms);
 }
 
-InverseKinematics::Gram InverseKinematics::gram(bool hands_alone) const {
+InverseKinematics::Gram InverseKinematics::gram(double arms) const {
     Gram sum = Gram::Zero();
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-        if (hands_alone && !columns_[k].of_hand) continue;
+        const double share = columns_[k].of_hand ? 1.0 : arms;
         for (int a = 0; a < 3; ++a) {
-            const double w = columns_[k].weight[a];
+            const double w = share * columns_[k].weight[a];
             if (w <= 0.0) continue;
             const auto column = jacobian_.col(static_cast<Eigen::Index>(3 * k) + a);
             sum.noalias() += (w * w) * column * column.transpose();
@@ -192,15 +192,12 @@ InverseKinematics::Gram InverseKinematics::gram(bool hands_alone) const {
     return sum;
 }
 
-void InverseKinematics::spread(const Tasks& forces, bool hands_alone) {
+void InverseKinematics::spread(const Tasks& forces, double arms) {
     step_.noalias() = jacobian_.transpose() * forces;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
+        const double share = columns_[k].of_hand ? 1.0 : arms;
         auto three = step_.segment<3>(static_cast<Eigen::Index>(3 * k));
-        if (hands_alone && !columns_[k].of_hand) {
-            three.setZero();
-        } else {
-            three = columns_[k].weight.cwiseAbs2().cwiseProduct(three).eval();
-        }
+        three = (share * columns_[k].weight).cwiseAbs2().cwiseProduct(three).eval();
     }
 }
 
@@ -216,9 +213,9 @@ void InverseKinematics::reach_by_hands(const ArmTargets& targets, Posture& postu
             error[height] = 0.0;
             jacobian_.row(height).setZero();
         }
-        Gram moved = gram(true);
+        Gram moved = gram(0.0);
         moved.diagonal().array() += kHandDamping * kHandDamping;
-        spread(moved.llt().solve(error), true);
+        spread(moved.llt().solve(error), 0.0);
         turn(posture, kLargestReach);
         forward_kinematics(skeleton_, posture, placement);
     }
@@ -241,7 +238,7 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Pla
     fill_jacobian(placement);
     fill_pull(posture);
     const Tasks error = errors(targets, placement);
-    step(error, placement);
+    step(error, placement, kArms);
     if (options_.inverse != Inverse::learnt) {
         turn(posture, options_.largest_turn);
         forward_kinematics(skeleton_, posture, placement);
@@ -265,7 +262,7 @@ void InverseKinematics::lean(const Tasks& wish, const Placement& placement, cons
                              Posture& target) {
     fill_jacobian(placement);
     pull_.setZero();
-    step(wish, placement);
+    step(wish, placement, 1.0);
     target = posture;
     turn(target, options_.largest_turn);
 }

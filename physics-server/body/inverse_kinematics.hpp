@@ -38,7 +38,7 @@ struct InverseKinematicsOptions {
     int iterations = 3;
     double damping = 0.002;     ///< lambda, of the tip tasks [m]
     double grip_weight = 0.3;   ///< of the grip's height against the tip's place
-    double rest_pull = 0.002;   ///< share of the way to rest, each iteration
+    double rest_pull = 0.006;   ///< share of the way to rest, each iteration
     double largest_turn = 0.3;  ///< of a joint in one iteration [rad]
 };
 
@@ -69,6 +69,8 @@ class InverseKinematics {
     /// See the options; a larger damping passes postures in which an arm is stretched more calmly.
     void set_damping(double damping) { options_.damping = damping; }
     void set_largest_turn(double angle) { options_.largest_turn = angle; }
+    /// How readily each axis of a joint turns, as percussionists do.
+    static Vector3 usual_readiness(const Segment& segment);
     /// How readily the joint of a segment turns about its own axes, 0..1.
     void set_readiness(int segment, const Vector3& weight);
 
@@ -99,12 +101,13 @@ class InverseKinematics {
   private:
     void fill_jacobian(const Placement& placement);
     void fill_pull(const Posture& posture);
-    void step(const Tasks& error, const Placement& placement);
-    /// J W J^T, of all joints or of those of the hands alone.
+    /// `arms`: how ready they are against hands; 0: hands alone.
+    void step(const Tasks& error, const Placement& placement, double arms);
+    /// J W J^T.
     using Gram = Eigen::Matrix<double, kTasks, kTasks>;
-    [[nodiscard]] Gram gram(bool hands_alone) const;
+    [[nodiscard]] Gram gram(double arms) const;
     /// step_ = W J^T forces.
-    void spread(const Tasks& forces, bool hands_alone);
+    void spread(const Tasks& forces, double arms);
     void turn(Posture& posture, double largest) const;
     void iterate(const ArmTargets& targets, Posture& posture, Placement& placement);
 

@@ -25,7 +25,7 @@ double hanging_inertia(const Skeleton& skeleton, int segment) {
 }
 
 JointStrength::JointStrength(const Skeleton& skeleton, const std::vector<int>& segments, double h)
-    : asked_(skeleton), wish_(skeleton) {
+    : asked_(skeleton), before_(skeleton), now_(skeleton) {
     for (const int i : segments) {
         const double acceleration =
             skeleton.segments[i].torque_limit / hanging_inertia(skeleton, i);
@@ -33,26 +33,34 @@ JointStrength::JointStrength(const Skeleton& skeleton, const std::vector<int>& s
     }
 }
 
-bool JointStrength::hold(const Posture& before, const Posture& now, Posture& wish) {
+void JointStrength::begin(const Posture& before, const Posture& now) {
+    before_ = before;
+    now_ = asked_ = now;
+}
+
+bool JointStrength::hold(Posture& wish) {
     constexpr double kNothing = 1e-12;
     bool held = false;
-    wish_ = wish;
     for (const Joint& j : joints_) {
-        const Quaternion& at = now.joints[j.segment];
-        const Vector3 last = turn(before.joints[j.segment], at);
+        const Quaternion at = now_.joints[j.segment];
+        const Vector3 last = turn(before_.joints[j.segment], at);
         const Vector3 off = turn(at, asked_.joints[j.segment]);
         const double distance = off.norm();
         const double closing = std::min(distance, std::sqrt(j.most * distance));
-        Vector3 next = turn(asked_.joints[j.segment], wish.joints[j.segment]);
+        Quaternion& wanted = wish.joints[j.segment];
+        Vector3 next = turn(asked_.joints[j.segment], wanted);
+        asked_.joints[j.segment] = wanted;
         if (distance > kNothing) next += closing / distance * off;
         Vector3 change = next - last;
         const double size = change.norm();
-        if (size <= j.most && closing == distance) continue;
-        if (size > j.most) change *= j.most / size;
-        wish.joints[j.segment] = (linear::quaternion_exp(last + change) * at).normalized();
-        held = true;
+        if (size > j.most || closing < distance) {
+            if (size > j.most) change *= j.most / size;
+            wanted = (linear::quaternion_exp(last + change) * at).normalized();
+            held = true;
+        }
     }
-    std::swap(asked_, wish_);
+    std::swap(before_, now_);
+    now_ = wish;
     return held;
 }
 

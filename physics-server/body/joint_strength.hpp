@@ -27,11 +27,10 @@ class JointStrength {
     /// `segments`: whose joints are held to their strength; steps of h [s].
     JointStrength(const Skeleton& skeleton, const std::vector<int>& segments, double h);
 
-    /// What is asked for now, with nothing held back.
-    void begin(const Posture& asked) { asked_ = asked; }
-    /// `wish` is asked for in the next step; the motion that follows was at `before` and is at
-    /// `now`. Holds `wish` to what can be; whether anything changed.
-    bool hold(const Posture& before, const Posture& now, Posture& wish);
+    /// The motion is at `now` and was at `before`, and follows what is asked for.
+    void begin(const Posture& before, const Posture& now);
+    /// `wish` is asked for in the next step. Holds it to what can be; whether anything changed.
+    bool hold(Posture& wish);
 
   private:
     struct Joint {
@@ -39,8 +38,8 @@ class JointStrength {
         double most;  ///< change of a turn from step to step [rad]
     };
     std::vector<Joint> joints_;
-    Posture asked_;  ///< in the last step
-    Posture wish_;   ///< memory for hold()
+    Posture asked_;         ///< in the last step
+    Posture before_, now_;  ///< the motion that follows
 };
 
 }  // namespace percussionist::body

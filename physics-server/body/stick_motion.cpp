@@ -142,10 +142,10 @@ class StickMotionMaker {
             const double off = kinematics_.solve(at(t), posture, placement);
             motion_.worst_reach = std::max(motion_.worst_reach, off);
             postures.push_back(posture);
-            if (i >= 2 && strength.hold(postures[i - 2], postures[i - 1], postures[i])) {
+            if (i == 0) strength.begin(posture, posture);
+            if (strength.hold(postures[i])) {
                 kinematics_.reach_by_hands(at(t), postures[i], placement);
             }
-            if (i < 2) strength.begin(posture);
             for (Quaternion& q : postures.back().joints) {
                 const std::size_t j = static_cast<std::size_t>(&q - postures.back().joints.data());
                 if (i > 0 && q.dot(postures[i - 1].joints[j]) < 0.0) q.coeffs() *= -1.0;

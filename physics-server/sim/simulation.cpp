@@ -91,7 +91,7 @@ Simulation::Simulation(const SimulationOptions& options)
     settle(0.0);
     target_.before = target_.now = target_.after = solution_;
     target_.placed_before = target_.placed_now = target_.placed_after = solved_;
-    strength_.begin(solution_);
+    strength_.begin(solution_, solution_);
     body_->place(solved_);
     body_->read(actual_);
 
@@ -160,8 +160,8 @@ void Simulation::fill_target(double t) {
 
 void Simulation::hold_to_strength() {
     if (clip_ && tracking_ == body::Tracking::joints) {
-        strength_.begin(target_.after);
-    } else if (strength_.hold(target_.before, target_.now, target_.after)) {
+        strength_.begin(target_.now, target_.after);
+    } else if (strength_.hold(target_.after)) {
         kinematics_.reach_by_hands(asked_next_, target_.after, target_.placed_after);
     }
 }
@@ -201,7 +201,7 @@ void Simulation::begin_with(std::shared_ptr<const body::Clip> clip, double start
         fill_target(t);
         if (t <= now) target_.advance();
     }
-    strength_.begin(target_.now);
+    strength_.begin(target_.before, target_.now);
     body_->place(target_.placed_now);
     body_->set_velocities(target_.placed_before, target_.placed_now, h_);
     asked_next_ = arm_targets(now);
@@ -239,11 +239,13 @@ void Simulation::set_grip(body::Grip grip) {
             rest.joints[skeleton_.index(side + "forearm")] =
                 linear::quaternion_exp(inwards * kThumbsUp * Vector3::UnitX());
         }
-        // With thumbs up the stick swings about the axis across the palm.
-        kinematics_.set_readiness(skeleton_.index(side + "hand"),
-                                  french ? Vector3(0.0, 0.4, 1.0) : Vector3(0.0, 1.0, 0.4));
-        kinematics_.set_readiness(skeleton_.stick_index(hand),
-                                  french ? Vector3(0.0, 0.2, 1.0) : Vector3(0.0, 1.0, 0.2));
+        // With thumbs up what swings a stick up and down is each joint's own z.
+        for (const char* part : {"forearm", "hand", "stick"}) {
+            const int segment = skeleton_.index(side + part);
+            Vector3 weight = body::InverseKinematics::usual_readiness(skeleton_.segments[segment]);
+            if (french) std::swap(weight.y(), weight.z());
+            kinematics_.set_readiness(segment, weight);
+        }
     }
     begin_fade();
     kinematics_.set_rest(rest);
