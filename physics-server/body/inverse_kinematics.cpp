@@ -12,8 +12,6 @@ namespace {
 constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 /// Of a tip in one iteration [m].
 constexpr double kLongestStep = 0.10;
-/// An arm is heavy: it is this much less ready than a hand, which so does what is fast.
-constexpr double kArms = 0.3;
 /// A learnt step need not come nearer than this [m].
 constexpr double kGoodEnough = 0.0005;
 /// Of tips reached by hands alone: iterations, and the damping, for a stick cannot be drawn along
@@ -238,7 +236,7 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Pla
     fill_jacobian(placement);
     fill_pull(posture);
     const Tasks error = errors(targets, placement);
-    step(error, placement, kArms);
+    step(error, placement, options_.arms);
     if (options_.inverse != Inverse::learnt) {
         turn(posture, options_.largest_turn);
         forward_kinematics(skeleton_, posture, placement);

@@ -40,6 +40,8 @@ struct InverseKinematicsOptions {
     double grip_weight = 0.3;   ///< of the grip's height against the tip's place
     double rest_pull = 0.006;   ///< share of the way to rest, each iteration
     double largest_turn = 0.3;  ///< of a joint in one iteration [rad]
+    /// An arm is heavy: it is this much less ready than a hand, which so does what is fast.
+    double arms = 0.3;
 };
 
 class InverseKinematics {
@@ -66,8 +68,13 @@ class InverseKinematics {
     /// The posture to be pulled to; the joints it does not turn are to be there.
     void set_rest(const Posture& rest);
     [[nodiscard]] const Posture& rest() const { return rest_; }
+    /// The same from step to step; what the learnt inverse was learnt about stays.
+    void pull_to(const Posture& rest) { rest_ = rest; }
+    /// See the options.
+    void set_rest_pull(double share) { options_.rest_pull = share; }
     /// See the options; a larger damping passes postures in which an arm is stretched more calmly.
     void set_damping(double damping) { options_.damping = damping; }
+    void set_arms(double share) { options_.arms = share; }
     void set_largest_turn(double angle) { options_.largest_turn = angle; }
     /// How readily each axis of a joint turns, as percussionists do.
     static Vector3 usual_readiness(const Segment& segment);

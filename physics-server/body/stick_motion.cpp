@@ -6,7 +6,7 @@
 
 #include "body/clip_follower.hpp"
 #include "body/joint_strength.hpp"
-#include "body/repair.hpp"
+#include "body/path_repair.hpp"
 
 namespace percussionist::body {
 

@@ -28,6 +28,8 @@ constexpr int kSettling = 60;
 constexpr double kFastestTurn = 20.0;
 /// Of inverse kinematics when it follows a clip, whose arms may be stretched [m].
 constexpr double kClipDamping = 0.02;
+/// And of its pull to rest: to a posture that goes with the tips.
+constexpr double kClipPull = 0.05;
 /// With the papers' law and tips: how fast an error that lasts is leaned against [1/s], how fast it
 /// is forgotten [1/s], and how far a tip is leaned at most [m].
 constexpr double kCartesianRate = 20.0;
@@ -69,6 +71,7 @@ Simulation::Simulation(const SimulationOptions& options)
       actual_(skeleton_),
       wanted_(skeleton_),
       strokes_rest_(skeleton_),
+      clip_rest_(skeleton_),
       faded_from_(skeleton_),
       bare_(skeleton_.segments.size(), 0.0) {
     const double mass_factor = 1.0 + options.mass_error;
@@ -133,8 +136,12 @@ body::ArmTarget Simulation::arm_target(Hand hand, double t) const {
     return target;
 }
 
-body::ArmTargets Simulation::arm_targets(double t) const {
-    if (clip_) return clip_->targets(t - clip_start_);
+body::ArmTargets Simulation::arm_targets(double t) {
+    if (clip_) {
+        const body::ArmTargets targets = clip_->targets(t - clip_start_, clip_rest_);
+        kinematics_.pull_to(clip_rest_);
+        return targets;
+    }
     return {arm_target(Hand::left, t), arm_target(Hand::right, t)};
 }
 
@@ -147,6 +154,9 @@ void Simulation::settle(double t) {
 
 void Simulation::fill_target(double t) {
     asked_ = asked_next_;
+    // The papers' inverse kinematics knows no masses.
+    const bool paper = controller_->options().law == Law::paper;
+    kinematics_.set_arms(paper ? 1.0 : body::InverseKinematicsOptions().arms);
     if (clip_ && tracking_ == body::Tracking::joints) {
         clip_->posture(t - clip_start_, target_.after, target_.placed_after);
     } else {
@@ -185,6 +195,7 @@ void Simulation::follow(std::shared_ptr<const body::Clip> clip) {
     begin_fade();
     kinematics_.set_rest(clip->mean());
     kinematics_.set_damping(kClipDamping);
+    kinematics_.set_rest_pull(kClipPull);
     solution_ = clip->mean();
     clip_ = std::make_unique<body::ClipFollower>(std::move(clip), skeleton_);
     clip_start_ = time();
@@ -213,6 +224,7 @@ void Simulation::follow_strokes() {
     clip_.reset();
     kinematics_.set_rest(strokes_rest_);
     kinematics_.set_damping(body::InverseKinematicsOptions().damping);
+    kinematics_.set_rest_pull(body::InverseKinematicsOptions().rest_pull);
     solution_ = strokes_rest_;
     settle(time());
 }
