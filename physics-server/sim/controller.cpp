@@ -152,18 +152,13 @@ void Controller::apply_implicit(int joint, const Target& target) {
     const Segment& s = body_.skeleton().segments[joint];
     const Quaternion above = orientation(body_.parent(joint));
     const Quaternion relative = above.conjugate() * orientation(body_.segment(joint));
-    const Quaternion allowed = body::clamp(relative, s.limits);
-    const bool stopped = allowed.angularDistance(relative) > 1e-3;
+    const bool stopped = body::clamp(relative, s.limits).angularDistance(relative) > 1e-3;
 
-    const Quaternion& wanted = stopped ? allowed : target.now.joints[joint];
-    const Vector3 error = above * quaternion_log(wanted * relative.conjugate());
-    Vector3 rate = Vector3::Zero();
-    if (!stopped) {
-        // ODE moves a body by its velocity at the step's end: what leads from now to after.
-        rate = above *
-               (quaternion_log(target.after.joints[joint] * target.now.joints[joint].conjugate()) /
-                h_);
-    }
+    const Quaternion now = body::clamp(target.now.joints[joint], s.limits);
+    const Quaternion after = body::clamp(target.after.joints[joint], s.limits);
+    const Vector3 error = above * quaternion_log(now * relative.conjugate());
+    // ODE moves a body by its velocity at the step's end: what leads from now to after.
+    const Vector3 rate = above * (quaternion_log(after * now.conjugate()) / h_);
     const Gains g = gains(joint, stopped ? kStopFrequency : frequency(joint, target));
     const double softness = 1.0 / (h_ * g.kp + g.kd);
     const Vector3 speed = g.kp * softness * error + rate;
