@@ -31,6 +31,11 @@ Vector3 velocity(const TrajectorySample& a, const TrajectorySample& b) {
     return (b.position - a.position) / (b.time - a.time);
 }
 
+/// Where the straight line from p to q is at `time`.
+Vector3 chord(const TrajectorySample& p, const TrajectorySample& q, double time) {
+    return p.position + (time - p.time) * velocity(p, q);
+}
+
 class PathMender {
   public:
     PathMender(const Samples& samples, double noise) : s_(samples), noise_(noise) {}
@@ -94,19 +99,15 @@ class PathMender {
             const double dt = s_[b].time - s_[b - 1].time;
             if (jump(s_[b - 1], s_[b], inside, after) <= tolerance(dt)) return false;
         }
-        for (std::size_t i = a; i < b; ++i) {
-            const double since = s_[i].time - last.time;
-            const double until = s_[b].time - s_[i].time;
-            const Vector3 on = last.position + since * before;
-            const Vector3 back = s_[b].position - until * after;
-            const Vector3 chord =
-                (until * last.position + since * s_[b].position) / (since + until);
-            const double off = std::min({distance_to_segment(s_[i].position, on, back),
-                                         distance_to_segment(s_[i].position, on, chord),
-                                         distance_to_segment(s_[i].position, back, chord)});
-            if (off <= tolerance(std::min(since, until))) return false;
-        }
-        return true;
+        const std::size_t end = b - 1;
+        const Vector3 on = last.position + (s_[a].time - last.time) * before;
+        const Vector3 back = s_[b].position - (s_[b].time - s_[end].time) * after;
+        const Vector3 in = chord(last, s_[b], s_[a].time);
+        const Vector3 out = chord(last, s_[b], s_[end].time);
+        double off = std::min(distance_to_segment(s_[a].position, on, in),
+                              distance_to_segment(s_[end].position, back, out));
+        if (a == end) off = std::min(off, distance_to_segment(s_[a].position, on, back));
+        return off > tolerance(std::min(s_[a].time - last.time, s_[b].time - s_[end].time));
     }
 
     const Samples& s_;

@@ -6,8 +6,8 @@
 // strikes within the step; a glitch adds a jump. So a run of samples is a glitch if
 //   - on the step into it, and on that out of it, the path is farther than a tolerance from all
 //     mixtures of v_before dt and v_after dt;
-//   - each of its samples is as far from all that could lie between: from the path before drawn
-//     on, the path after drawn back, the chord between, and what these span.
+//   - its first and its last sample are as far from all that could lie there: from the path before
+//     drawn on, the path after drawn back, the chord between, and what these span.
 // A turn within one step passes, at any speed. The tolerance is a floor, what the noise of the path
 // (the median of its third differences) makes likely, and what a tip may be accelerated by.
 //

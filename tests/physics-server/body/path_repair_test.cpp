@@ -8,7 +8,7 @@
 #include "body/stroke_path.hpp"
 
 using namespace percussionist;
-using body::Vector3;
+using linear::Vector3;
 
 namespace {
 
