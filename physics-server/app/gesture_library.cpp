@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "body/repair.hpp"
+#include "body/path_repair.hpp"
 #include "body/spline.hpp"
 #include "body/stroke_measure.hpp"
 #include "files/trajectory_file.hpp"

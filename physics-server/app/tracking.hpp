@@ -18,9 +18,9 @@ struct TrackControl {
 };
 
 struct TrackOptions {
-    double rate = 1000.0;           ///< steps a second [Hz]
-    double frequency = 60.0;        ///< gain of our law, all joints [Hz]
-    double damping = 1.0;           ///< of it
+    double rate = 1000.0;                                ///< steps a second [Hz]
+    double frequency = sim::ControlOptions().frequency;  ///< of our law, all joints [Hz]
+    double damping = 1.0;                                ///< of it
     double paper_frequency = 20.0;  ///< gain of the papers' law, all joints [Hz]
     double mass_error = 0.0;  ///< of the simulated masses against those reckoned with, a share
     double start = 0.0;       ///< of the part of the clip [s]

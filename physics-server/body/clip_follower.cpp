@@ -25,6 +25,14 @@ void smooth(std::vector<double>& values, double dt) {
 
 ClipFollower::ClipFollower(std::shared_ptr<const Clip> clip, const Skeleton& skeleton)
     : clip_(std::move(clip)), skeleton_(skeleton), posture_(skeleton), placement_(skeleton) {
+    if (clip_->has_own_tips()) {
+        fill_grip_heights();
+    } else {
+        habit_.emplace(skeleton, *clip_);
+    }
+}
+
+void ClipFollower::fill_grip_heights() {
     const std::vector<double>& times = clip_->times();
     std::array<std::vector<double>, 2> heights;
     for (const double t : times) {
@@ -59,17 +67,25 @@ Vector3 ClipFollower::tip(double t, Hand hand, const Placement& placement) const
     return clip_->has_own_tips() ? clip_->own_tip(t, hand) : placement.tip(skeleton_, hand);
 }
 
-ArmTargets ClipFollower::targets(double t) const {
+ArmTargets ClipFollower::targets(double t, Posture& rest) const {
     if (!clip_->has_own_tips()) posture(t, posture_, placement_);
-    std::array<double, 2> heights{};
-    const double inside = std::min(std::max(t, 0.0), clip_->duration());
-    grip_heights_.at(inside, heights);
     ArmTargets targets;
-    for (const Hand hand : {Hand::left, Hand::right}) {
-        ArmTarget& target = targets[static_cast<int>(hand)];
-        target.tip = tip(t, hand, placement_);
-        target.grip_height = heights[static_cast<int>(hand)];
+    PostureHabit::Tips tips;
+    for (int h = 0; h < 2; ++h) {
+        tips[h] = targets[h].tip = tip(t, static_cast<Hand>(h), placement_);
     }
+    std::array<double, 2> heights{};
+    if (habit_) {
+        habit_->posture(tips, rest);
+        forward_kinematics(skeleton_, rest, placement_);
+        for (int h = 0; h < 2; ++h) {
+            heights[h] = placement_.joint[skeleton_.stick_index(static_cast<Hand>(h))].z();
+        }
+    } else {
+        rest = clip_->mean();
+        grip_heights_.at(std::min(std::max(t, 0.0), clip_->duration()), heights);
+    }
+    for (int h = 0; h < 2; ++h) targets[h].grip_height = heights[h];
     return targets;
 }
 

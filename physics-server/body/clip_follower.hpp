@@ -1,15 +1,19 @@
 // A clip as targets for a body: its postures, or its tips alone.
 //
-// From the tips alone the height of a grip is not known; it is taken to go a share of the way of
-// its tip, smoothed, about its height in the clip's mean posture.
+// From the tips alone the posture is not known. Of a captured body it is looked for about the one
+// that the body usually has with its tips there (posture_habit.hpp). Where sticks alone were
+// recorded, the height of a grip is taken to go a share of the way of its tip, smoothed, about its
+// height in the clip's mean posture.
 //
 // Building allocates; reading allocates nothing.
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "body/clip.hpp"
 #include "body/inverse_kinematics.hpp"
+#include "body/posture_habit.hpp"
 
 namespace percussionist::body {
 
@@ -26,14 +30,17 @@ class ClipFollower {
     void posture(double t, Posture& posture, Placement& placement) const;
     /// `placement` is that of the clip's posture at t.
     [[nodiscard]] Vector3 tip(double t, Hand hand, const Placement& placement) const;
-    [[nodiscard]] ArmTargets targets(double t) const;
+    /// And the posture that inverse kinematics is to be pulled to.
+    [[nodiscard]] ArmTargets targets(double t, Posture& rest) const;
 
     [[nodiscard]] const Clip& clip() const { return *clip_; }
 
   private:
     std::shared_ptr<const Clip> clip_;
     const Skeleton& skeleton_;
-    Spline grip_heights_;      ///< left, right
+    std::optional<PostureHabit> habit_;  ///< of a captured body
+    Spline grip_heights_;                ///< of sticks alone: left, right
+    void fill_grip_heights();
     mutable Posture posture_;  ///< memory for targets()
     mutable Placement placement_;
 };

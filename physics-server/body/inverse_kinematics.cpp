@@ -14,10 +14,17 @@ constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 constexpr double kLongestStep = 0.10;
 /// A learnt step need not come nearer than this [m].
 constexpr double kGoodEnough = 0.0005;
+/// Of tips reached by hands alone: iterations, and the damping, for a stick cannot be drawn along
+/// itself [m].
+constexpr int kReaching = 2;
+constexpr double kHandDamping = 0.015;
+constexpr double kLargestReach = 0.3;  // of a wrist in an iteration [rad]
 
-/// How readily each axis of a joint turns, out of what percussionists do: the wrist and the fingers
-/// bend before the elbow, the forearm twists little, the trunk hardly moves.
-Vector3 readiness(const Segment& s) {
+}  // namespace
+
+// The wrist and the fingers bend before the elbow, the forearm twists little, the trunk hardly
+// moves.
+Vector3 InverseKinematics::usual_readiness(const Segment& s) {
     if (s.joint.ends_with("shoulder")) return {0.5, 0.6, 0.3};
     if (s.joint.ends_with("elbow")) return {0.3, 0.8, 0.1};
     if (s.joint.ends_with("wrist")) return {0.0, 1.0, 0.4};
@@ -25,14 +32,14 @@ Vector3 readiness(const Segment& s) {
     return Vector3::Constant(s.reach);
 }
 
-}  // namespace
-
 InverseKinematics::InverseKinematics(const Skeleton& skeleton, InverseKinematicsOptions options)
     : skeleton_(skeleton), options_(options), rest_(skeleton), before_(skeleton) {
     for (const Hand hand : kHands) stick_[static_cast<int>(hand)] = skeleton.stick_index(hand);
     for (int i = 1; i < skeleton.size(); ++i) {
         if (skeleton.segments[i].reach <= 0.0) continue;
-        Column c{i, readiness(skeleton.segments[i]), {}, {}};
+        Column c{i, usual_readiness(skeleton.segments[i]), {}, {}};
+        const std::string& joint = skeleton.segments[i].joint;
+        c.of_hand = joint.ends_with("wrist") || joint.ends_with("grip");
         for (int h = 0; h < 2; ++h) {
             c.moves[h] = skeleton.moves(i, stick_[h]);
             c.moves_grip[h] = c.moves[h] && i != stick_[h];
@@ -63,6 +70,14 @@ void InverseKinematics::set_readiness(int segment, const Vector3& weight) {
     for (Column& c : columns_) {
         if (c.segment == segment) c.weight = weight;
     }
+}
+
+std::vector<int> InverseKinematics::arms() const {
+    std::vector<int> segments;
+    for (const Column& c : columns_) {
+        if (!c.of_hand) segments.push_back(c.segment);
+    }
+    return segments;
 }
 
 Vector3 InverseKinematics::grip(const Placement& placement, Hand hand) const {
@@ -142,46 +157,75 @@ void InverseKinematics::fill_pull(const Posture& posture) {
     }
 }
 
-void InverseKinematics::step(const Tasks& error, const Placement& placement) {
+void InverseKinematics::step(const Tasks& error, const Placement& placement, double arms) {
     Tasks wanted = error;
     wanted.noalias() -= jacobian_ * pull_;
     if (options_.inverse == Inverse::learnt) {
         learnt_->step(tasks(placement), wanted, step_);
         return;
     }
-    Eigen::Matrix<double, kTasks, kTasks> gram = Eigen::Matrix<double, kTasks, kTasks>::Zero();
+    Gram moved = gram(arms);
     if (options_.inverse == Inverse::damped_least_squares) {
-        gram.diagonal().setConstant(options_.damping * options_.damping);
+        moved.diagonal().array() += options_.damping * options_.damping;
+        wanted = moved.llt().solve(wanted).eval();
+    } else {
+        const Tasks along = moved * wanted;
+        constexpr double kNothing = 1e-18;
+        wanted *= wanted.dot(along) / std::max(along.squaredNorm(), kNothing);
     }
+    spread(wanted, arms);
+}
+
+InverseKinematics::Gram InverseKinematics::gram(double arms) const {
+    Gram sum = Gram::Zero();
     for (std::size_t k = 0; k < columns_.size(); ++k) {
+        const double share = columns_[k].of_hand ? 1.0 : arms;
         for (int a = 0; a < 3; ++a) {
-            const double w = columns_[k].weight[a];
+            const double w = share * columns_[k].weight[a];
             if (w <= 0.0) continue;
             const auto column = jacobian_.col(static_cast<Eigen::Index>(3 * k) + a);
-            gram.noalias() += (w * w) * column * column.transpose();
+            sum.noalias() += (w * w) * column * column.transpose();
         }
     }
-    if (options_.inverse == Inverse::damped_least_squares) {
-        wanted = gram.llt().solve(wanted).eval();
-    } else {
-        const Tasks moved = gram * wanted;
-        constexpr double kNothing = 1e-18;
-        wanted *= wanted.dot(moved) / std::max(moved.squaredNorm(), kNothing);
-    }
-    step_.noalias() = jacobian_.transpose() * wanted;
+    return sum;
+}
+
+void InverseKinematics::spread(const Tasks& forces, double arms) {
+    step_.noalias() = jacobian_.transpose() * forces;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
+        const double share = columns_[k].of_hand ? 1.0 : arms;
         auto three = step_.segment<3>(static_cast<Eigen::Index>(3 * k));
-        three = columns_[k].weight.cwiseAbs2().cwiseProduct(three).eval();
+        three = (share * columns_[k].weight).cwiseAbs2().cwiseProduct(three).eval();
     }
 }
 
-void InverseKinematics::turn(Posture& posture) const {
+void InverseKinematics::reach_by_hands(const ArmTargets& targets, Posture& posture,
+                                       Placement& placement) {
+    forward_kinematics(skeleton_, posture, placement);
+    pull_.setZero();
+    for (int i = 0; i < kReaching; ++i) {
+        fill_jacobian(placement);
+        Tasks error = errors(targets, placement);
+        // Where the grips are is the arms' affair.
+        for (const int height : {3, 7}) {
+            error[height] = 0.0;
+            jacobian_.row(height).setZero();
+        }
+        Gram moved = gram(0.0);
+        moved.diagonal().array() += kHandDamping * kHandDamping;
+        spread(moved.llt().solve(error), 0.0);
+        turn(posture, kLargestReach);
+        forward_kinematics(skeleton_, posture, placement);
+    }
+}
+
+void InverseKinematics::turn(Posture& posture, double largest) const {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         const Column& c = columns_[k];
         const auto first = static_cast<Eigen::Index>(3 * k);
         Vector3 by = step_.segment<3>(first) + pull_.segment<3>(first);
         const double angle = by.norm();
-        if (angle > options_.largest_turn) by *= options_.largest_turn / angle;
+        if (angle > largest) by *= largest / angle;
         Quaternion& joint = posture.joints[c.segment];
         joint = (joint * linear::quaternion_exp(by)).normalized();
         joint = clamp(joint, skeleton_.segments[c.segment].limits);
@@ -192,9 +236,9 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Pla
     fill_jacobian(placement);
     fill_pull(posture);
     const Tasks error = errors(targets, placement);
-    step(error, placement);
+    step(error, placement, options_.arms);
     if (options_.inverse != Inverse::learnt) {
-        turn(posture);
+        turn(posture, options_.largest_turn);
         forward_kinematics(skeleton_, posture, placement);
         return;
     }
@@ -203,7 +247,7 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Pla
     constexpr double kSmaller = 0.3;
     before_ = posture;
     for (int i = 0; i < kTries; ++i) {
-        turn(posture);
+        turn(posture, options_.largest_turn);
         forward_kinematics(skeleton_, posture, placement);
         if (errors(targets, placement).norm() <= std::max(error.norm(), kGoodEnough)) return;
         posture = before_;
@@ -216,9 +260,9 @@ void InverseKinematics::lean(const Tasks& wish, const Placement& placement, cons
                              Posture& target) {
     fill_jacobian(placement);
     pull_.setZero();
-    step(wish, placement);
+    step(wish, placement, 1.0);
     target = posture;
-    turn(target);
+    turn(target, options_.largest_turn);
 }
 
 }  // namespace percussionist::body

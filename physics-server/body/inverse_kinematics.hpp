@@ -38,8 +38,10 @@ struct InverseKinematicsOptions {
     int iterations = 3;
     double damping = 0.002;     ///< lambda, of the tip tasks [m]
     double grip_weight = 0.3;   ///< of the grip's height against the tip's place
-    double rest_pull = 0.002;   ///< share of the way to rest, each iteration
+    double rest_pull = 0.006;   ///< share of the way to rest, each iteration
     double largest_turn = 0.3;  ///< of a joint in one iteration [rad]
+    /// An arm is heavy: it is this much less ready than a hand, which so does what is fast.
+    double arms = 0.3;
 };
 
 class InverseKinematics {
@@ -54,6 +56,7 @@ class InverseKinematics {
         Vector3 weight;             ///< readiness of rotation about its own x y z, 0..1
         std::array<bool, 2> moves;  ///< whether it moves the tip of each hand
         std::array<bool, 2> moves_grip;
+        bool of_hand = false;  ///< wrist or grip
     };
 
     explicit InverseKinematics(const Skeleton& skeleton, InverseKinematicsOptions options = {});
@@ -64,18 +67,26 @@ class InverseKinematics {
     void set_inverse(Inverse inverse);
     /// The posture to be pulled to; the joints it does not turn are to be there.
     void set_rest(const Posture& rest);
-    /// The same, on the way from one posture to another: a learnt inverse stays as it is.
-    void pull_to(const Posture& rest) { rest_ = rest; }
     [[nodiscard]] const Posture& rest() const { return rest_; }
+    /// The same from step to step; what the learnt inverse was learnt about stays.
+    void pull_to(const Posture& rest) { rest_ = rest; }
+    /// See the options.
+    void set_rest_pull(double share) { options_.rest_pull = share; }
     /// See the options; a larger damping passes postures in which an arm is stretched more calmly.
     void set_damping(double damping) { options_.damping = damping; }
+    void set_arms(double share) { options_.arms = share; }
     void set_largest_turn(double angle) { options_.largest_turn = angle; }
+    /// How readily each axis of a joint turns, as percussionists do.
+    static Vector3 usual_readiness(const Segment& segment);
     /// How readily the joint of a segment turns about its own axes, 0..1.
     void set_readiness(int segment, const Vector3& weight);
 
     /// Moves `posture` (from the last solution) towards the targets; returns the larger of the two
     /// tips' remaining errors [m]. `placement` is that of the new posture.
     double solve(const ArmTargets& targets, Posture& posture, Placement& placement);
+
+    /// Brings the tips as near as wrists and fingers alone can, from where the arms are.
+    void reach_by_hands(const ArmTargets& targets, Posture& posture, Placement& placement);
 
     /// From where the tasks are to where they are wanted.
     [[nodiscard]] Tasks errors(const ArmTargets& targets, const Placement& placement) const;
@@ -88,6 +99,8 @@ class InverseKinematics {
     [[nodiscard]] Vector3 grip(const Placement& placement, Hand hand) const;
 
     [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
+    /// The segments whose joints it turns, but hands and sticks.
+    [[nodiscard]] std::vector<int> arms() const;
     [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
     /// Where the tasks are: tips, and grips' heights times their weight.
     [[nodiscard]] Tasks tasks(const Placement& placement) const;
@@ -95,8 +108,14 @@ class InverseKinematics {
   private:
     void fill_jacobian(const Placement& placement);
     void fill_pull(const Posture& posture);
-    void step(const Tasks& error, const Placement& placement);
-    void turn(Posture& posture) const;
+    /// `arms`: how ready they are against hands; 0: hands alone.
+    void step(const Tasks& error, const Placement& placement, double arms);
+    /// J W J^T.
+    using Gram = Eigen::Matrix<double, kTasks, kTasks>;
+    [[nodiscard]] Gram gram(double arms) const;
+    /// step_ = W J^T forces.
+    void spread(const Tasks& forces, double arms);
+    void turn(Posture& posture, double largest) const;
     void iterate(const ArmTargets& targets, Posture& posture, Placement& placement);
 
     const Skeleton& skeleton_;

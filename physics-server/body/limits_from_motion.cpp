@@ -15,15 +15,21 @@ namespace percussionist::body {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kPart = 0.995;  ///< of the samples that count
 constexpr double kWider = 1.05;
 constexpr double kLeastDeviation = kDegree;
 constexpr double kLongestSemiAxis = 3.1;
 
-double percentile(std::vector<double> values, double share) {
-    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[at];
+/// The largest of a series, where a frame that stands alone (a T-pose, a marker lost) counts no
+/// more than the larger of its neighbours.
+double largest_of_many(const std::vector<double>& values) {
+    double most = -1e9;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        double beside = values.size() == 1 ? values[i] : -1e9;
+        if (i > 0) beside = std::max(beside, values[i - 1]);
+        if (i + 1 < values.size()) beside = std::max(beside, values[i + 1]);
+        most = std::max(most, std::min(values[i], beside));
+    }
+    return most;
 }
 
 /// Euler angles z y x over time, made continuous.
@@ -50,8 +56,9 @@ JointLimits euler_limits(const std::vector<Quaternion>& rotations) {
     for (int a = 0; a < 3; ++a) {
         std::vector<double> values;
         for (const Vector3& v : angles) values.push_back(v[a]);
-        const double low = percentile(values, 0.5 * (1.0 - kPart));
-        const double high = percentile(values, 0.5 * (1.0 + kPart));
+        const double high = largest_of_many(values);
+        for (double& value : values) value = -value;
+        const double low = -largest_of_many(values);
         const double half = std::max(0.5 * kWider * (high - low), kLeastDeviation);
         // Beyond half a turn an angle says nothing: it wraps.
         const double middle = 0.5 * (low + high);
@@ -86,7 +93,7 @@ JointLimits ellipsoid_limits(const std::vector<Quaternion>& rotations) {
         const Vector3 v = tangent.row(i).transpose();
         distances.push_back((limits.axes.transpose() * v).cwiseQuotient(deviations).norm());
     }
-    const double k = std::max(kWider * percentile(distances, kPart), 1.0);
+    const double k = std::max(kWider * largest_of_many(distances), 1.0);
     limits.semi_axes = (k * deviations).cwiseMin(Vector3::Constant(kLongestSemiAxis));
     return limits;
 }

@@ -1,7 +1,6 @@
 // What is wrong with captured motion, mended before a body follows it.
 //
-// Of a path: samples that jump away and come back (a marker lost or taken for another) are left out
-// and bridged; a stick moves at most at 15 m/s. Of joints: a first frame that is no part of the
+// Of a path: see path_repair.hpp. Of joints: a first frame that is no part of the
 // motion (a T-pose) is left out; frames repeated by a slower source are spread; a joint that jumps
 // for a frame is bridged; none turns faster than 60 rad/s.
 //
@@ -23,9 +22,6 @@ struct Repairs {
     /// In words, without what did not happen; empty if nothing did.
     [[nodiscard]] std::string describe() const;
 };
-
-/// Leaves out the glitches of a path.
-Repairs repair(motion::Trajectory& path);
 
 /// Mends rotations, [frame * joints + joint], `frame_time` [s] apart. Signs are made continuous.
 Repairs repair_rotations(std::vector<linear::Quaternion>& rotations, std::size_t joints,

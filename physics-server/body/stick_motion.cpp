@@ -5,7 +5,8 @@
 #include <stdexcept>
 
 #include "body/clip_follower.hpp"
-#include "body/repair.hpp"
+#include "body/joint_strength.hpp"
+#include "body/path_repair.hpp"
 
 namespace percussionist::body {
 
@@ -134,12 +135,17 @@ class StickMotionMaker {
         Posture posture(skeleton_);
         Placement placement(skeleton_);
         for (int i = 0; i < kSettling; ++i) kinematics_.solve(at(0.0), posture, placement);
+        JointStrength strength(skeleton_, kinematics_.arms(), dt);
         std::vector<Posture> postures;
         for (std::size_t i = 0; i < count; ++i) {
             const double t = static_cast<double>(i) * dt;
             const double off = kinematics_.solve(at(t), posture, placement);
             motion_.worst_reach = std::max(motion_.worst_reach, off);
             postures.push_back(posture);
+            if (i == 0) strength.begin(posture, posture);
+            if (strength.hold(postures[i])) {
+                kinematics_.reach_by_hands(at(t), postures[i], placement);
+            }
             for (Quaternion& q : postures.back().joints) {
                 const std::size_t j = static_cast<std::size_t>(&q - postures.back().joints.data());
                 if (i > 0 && q.dot(postures[i - 1].joints[j]) < 0.0) q.coeffs() *= -1.0;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "body/joint_strength.hpp"
+
 namespace percussionist::sim {
 
 using body::Hand;
@@ -21,18 +23,6 @@ constexpr double kMostStiffness = 0.5;
 constexpr double kMostDamping = 0.5;
 /// Beyond its limits a joint is pushed back at this frequency [Hz].
 constexpr double kStopFrequency = 40.0;
-
-/// The largest moment of inertia, about joint `i`, of all that hangs on it at rest.
-double hanging_inertia(const Skeleton& skeleton, int i) {
-    double inertia = 0.0;
-    for (int k = i; k < skeleton.size(); ++k) {
-        if (!skeleton.moves(i, k)) continue;
-        const Segment& s = skeleton.segments[k];
-        const double distance2 = (s.com_rest - skeleton.segments[i].joint_rest).squaredNorm();
-        inertia += s.mass * distance2 + s.inertia.maxCoeff();
-    }
-    return inertia;
-}
 
 /// The reduced inertia, by axis, of a joint whose two sides turn freely against each other.
 Vector3 reduced_inertia(const Skeleton& skeleton, int i) {
@@ -96,7 +86,7 @@ Controller::Controller(OdeBody& body, const ControlOptions& options, double h)
 void Controller::weigh() {
     const Skeleton& skeleton = body_.skeleton();
     for (int i = 1; i < skeleton.size(); ++i) {
-        inertia_[i] = hanging_inertia(skeleton, i);
+        inertia_[i] = body::hanging_inertia(skeleton, i);
         own_inertia_[i] = reduced_inertia(skeleton, i);
     }
 }
@@ -167,18 +157,13 @@ void Controller::apply_implicit(int joint, const Target& target) {
     const Segment& s = body_.skeleton().segments[joint];
     const Quaternion above = orientation(body_.parent(joint));
     const Quaternion relative = above.conjugate() * orientation(body_.segment(joint));
-    const Quaternion allowed = body::clamp(relative, s.limits);
-    const bool stopped = allowed.angularDistance(relative) > 1e-3;
+    const bool stopped = body::clamp(relative, s.limits).angularDistance(relative) > 1e-3;
 
-    const Quaternion& wanted = stopped ? allowed : target.now.joints[joint];
-    const Vector3 error = above * quaternion_log(wanted * relative.conjugate());
-    Vector3 rate = Vector3::Zero();
-    if (!stopped) {
-        rate =
-            above *
-            (quaternion_log(target.after.joints[joint] * target.before.joints[joint].conjugate()) /
-             (2.0 * h_));
-    }
+    const Quaternion now = body::clamp(target.now.joints[joint], s.limits);
+    const Quaternion after = body::clamp(target.after.joints[joint], s.limits);
+    const Vector3 error = above * quaternion_log(now * relative.conjugate());
+    // ODE moves a body by its velocity at the step's end: what leads from now to after.
+    const Vector3 rate = above * (quaternion_log(after * now.conjugate()) / h_);
     const Gains g = gains(joint, stopped ? kStopFrequency : frequency(joint, target));
     const double softness = 1.0 / (h_ * g.kp + g.kd);
     const Vector3 speed = g.kp * softness * error + rate;

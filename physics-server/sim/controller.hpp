@@ -5,8 +5,8 @@
 // as an angular motor with CFM = 1 / (h kp + kd) and velocity kp e / (h kp + kd) + w_target: exact,
 // and stable at any gain. Gains come from the inertia of what hangs on the joint:
 // kp = I (2 pi f)^2, kd = 2 I 2 pi f (critical damping). To it is added the torque that inverse
-// dynamics forecasts, so that the gain has only errors to mend. A joint beyond its limits is held
-// by a stop that no torque limit weakens.
+// dynamics forecasts, so that the gain has only errors to mend. Targets are held to the limits of
+// their joints; a joint that is beyond them is brought back by a stop that no torque limit weakens.
 //
 // The law of the papers (Bouenard, Gibet, Wanderley 2009, equation 1), tau = ks e - kd w applied
 // explicitly, is kept to compare with. Applied so it is stable only up to gains that the lighter
@@ -27,8 +27,8 @@ enum class Law { implicit, paper };
 
 struct ControlOptions {
     Law law = Law::implicit;
-    double frequency = 20.0;         ///< of every joint but the grip [Hz]
-    double grip_frequency = 20.0;    ///< of the grip in free air [Hz]
+    double frequency = 40.0;         ///< of every joint but the grip [Hz]
+    double grip_frequency = 40.0;    ///< of the grip in free air [Hz]
     double contact_frequency = 6.0;  ///< of the grip about a contact: a loose hand [Hz]
     double damping = 1.0;            ///< of every joint; 1: critical
     double paper_frequency = 5.0;    ///< of every joint under the law of the papers [Hz]

@@ -28,6 +28,8 @@ constexpr int kSettling = 60;
 constexpr double kFastestTurn = 20.0;
 /// Of inverse kinematics when it follows a clip, whose arms may be stretched [m].
 constexpr double kClipDamping = 0.02;
+/// And of its pull to rest: to a posture that goes with the tips.
+constexpr double kClipPull = 0.05;
 /// With the papers' law and tips: how fast an error that lasts is leaned against [1/s], how fast it
 /// is forgotten [1/s], and how far a tip is leaned at most [m].
 constexpr double kCartesianRate = 20.0;
@@ -72,6 +74,7 @@ Simulation::Simulation(const SimulationOptions& options)
       h_(1.0 / checked_rate(options.rate)),
       skeleton_(body::make_skeleton(options.person)),
       kinematics_(skeleton_, kinematics_options(options.rate)),
+      strength_(skeleton_, kinematics_.arms(), h_),
       tip_mass_{body::TipMass(skeleton_, Hand::left), body::TipMass(skeleton_, Hand::right)},
       target_(skeleton_),
       solution_(skeleton_),
@@ -79,6 +82,7 @@ Simulation::Simulation(const SimulationOptions& options)
       actual_(skeleton_),
       wanted_(skeleton_),
       strokes_rest_(skeleton_),
+      clip_rest_(skeleton_),
       faded_from_(skeleton_),
       bare_(skeleton_.segments.size(), 0.0) {
     const double mass_factor = 1.0 + options.mass_error;
@@ -96,6 +100,7 @@ Simulation::Simulation(const SimulationOptions& options)
     settle(0.0);
     target_.before = target_.now = target_.after = solution_;
     target_.placed_before = target_.placed_now = target_.placed_after = solved_;
+    strength_.begin(solution_, solution_);
     body_->place(solved_);
     body_->read(actual_);
 
@@ -201,8 +206,12 @@ body::ArmTarget Simulation::arm_target(Hand hand, double t) const {
     return target;
 }
 
-body::ArmTargets Simulation::arm_targets(double t) const {
-    if (clip_) return clip_->targets(t - clip_start_);
+body::ArmTargets Simulation::arm_targets(double t) {
+    if (clip_) {
+        const body::ArmTargets targets = clip_->targets(t - clip_start_, clip_rest_);
+        kinematics_.pull_to(clip_rest_);
+        return targets;
+    }
     return {arm_target(Hand::left, t), arm_target(Hand::right, t)};
 }
 
@@ -216,6 +225,9 @@ void Simulation::settle(double t) {
 void Simulation::fill_target(double t) {
     asked_ = asked_next_;
     if (thumbs_up_.moves(t - h_)) turn_grip(t);
+    // The papers' inverse kinematics knows no masses.
+    const bool paper = controller_->options().law == Law::paper;
+    kinematics_.set_arms(paper ? 1.0 : body::InverseKinematicsOptions().arms);
     if (clip_ && tracking_ == body::Tracking::joints) {
         clip_->posture(t - clip_start_, target_.after, target_.placed_after);
     } else {
@@ -225,6 +237,14 @@ void Simulation::fill_target(double t) {
         target_.placed_after = solved_;
     }
     fade(t);
+}
+
+void Simulation::hold_to_strength() {
+    if (clip_ && tracking_ == body::Tracking::joints) {
+        strength_.begin(target_.now, target_.after);
+    } else if (strength_.hold(target_.after)) {
+        kinematics_.reach_by_hands(asked_next_, target_.after, target_.placed_after);
+    }
 }
 
 void Simulation::begin_fade() {
@@ -246,6 +266,7 @@ void Simulation::follow(std::shared_ptr<const body::Clip> clip) {
     begin_fade();
     kinematics_.set_rest(clip->mean());
     kinematics_.set_damping(kClipDamping);
+    kinematics_.set_rest_pull(kClipPull);
     solution_ = clip->mean();
     clip_ = std::make_unique<body::ClipFollower>(std::move(clip), skeleton_);
     clip_start_ = time();
@@ -262,8 +283,9 @@ void Simulation::begin_with(std::shared_ptr<const body::Clip> clip, double start
         fill_target(t);
         if (t <= now) target_.advance();
     }
+    strength_.begin(target_.before, target_.now);
     body_->place(target_.placed_now);
-    body_->set_velocities(target_.placed_before, target_.placed_after, 2.0 * h_);
+    body_->set_velocities(target_.placed_before, target_.placed_now, h_);
     asked_next_ = arm_targets(now);
     body_->read(actual_);
 }
@@ -273,6 +295,7 @@ void Simulation::follow_strokes() {
     clip_.reset();
     kinematics_.set_rest(strokes_rest_);
     kinematics_.set_damping(body::InverseKinematicsOptions().damping);
+    kinematics_.set_rest_pull(body::InverseKinematicsOptions().rest_pull);
     solution_ = strokes_rest_;
     settle(time());
 }
@@ -313,11 +336,14 @@ void Simulation::turn_grip(double t) {
     const double share = thumbs_up_.at(t);
     if (!clip_) kinematics_.pull_to(grip_rest(share));
     for (const Hand hand : kHands) {
-        // With thumbs up the stick swings about the axis across the palm.
-        kinematics_.set_readiness(skeleton_.hand_index(hand),
-                                  Vector3(0.0, 1.0 - 0.6 * share, 0.4 + 0.6 * share));
-        kinematics_.set_readiness(skeleton_.stick_index(hand),
-                                  Vector3(0.0, 1.0 - 0.8 * share, 0.2 + 0.8 * share));
+        // With thumbs up what swings a stick up and down is each joint's own z.
+        for (const char* part : {"forearm", "hand", "stick"}) {
+            const int segment = skeleton_.index(body::Skeleton::side(hand) + part);
+            const Vector3 usual =
+                body::InverseKinematics::usual_readiness(skeleton_.segments[segment]);
+            const Vector3 turned(usual.x(), usual.z(), usual.y());
+            kinematics_.set_readiness(segment, usual + share * (turned - usual));
+        }
     }
 }
 
@@ -373,6 +399,7 @@ TouchingTip Simulation::touching_tip(Hand hand) {
 
 void Simulation::step(std::vector<ContactEvent>& contacts) {
     fill_target(time() + h_);
+    hold_to_strength();
     mark_contacts();
     const bool by_tips = tracking_ == body::Tracking::tips;
     if (controller_->options().law == Law::paper && by_tips) correct_by_tips();

@@ -17,6 +17,7 @@
 #include "body/clip_follower.hpp"
 #include "body/inverse_dynamics.hpp"
 #include "body/inverse_kinematics.hpp"
+#include "body/joint_strength.hpp"
 #include "body/posture.hpp"
 #include "body/stroke_path.hpp"
 #include "sim/contact_event.hpp"
@@ -133,9 +134,9 @@ class Simulation {
   private:
     body::StrokePath& own_path(body::Hand hand) { return paths_[static_cast<int>(hand)]; }
     [[nodiscard]] body::ArmTarget arm_target(body::Hand hand, double t) const;
-    [[nodiscard]] body::ArmTargets arm_targets(double t) const;
+    [[nodiscard]] body::ArmTargets arm_targets(double t);
     void fill_target(double t);
-    void fill_from_clip(double t);
+    void hold_to_strength();
     void fade(double t);
     void begin_fade();
     void settle(double t);
@@ -160,6 +161,7 @@ class Simulation {
     std::unique_ptr<Drumhead> head_;
     std::unique_ptr<ImpactForecast> forecast_;
     body::InverseKinematics kinematics_;
+    body::JointStrength strength_;  ///< of the joints of arms and trunk
     std::array<body::TipMass, 2> tip_mass_;
     std::array<body::StrokePath, 2> paths_;
     MovingPlace head_place_;              ///< of its middle, world [m]
@@ -174,12 +176,13 @@ class Simulation {
     std::unique_ptr<body::ClipFollower> clip_;
     double clip_start_ = 0.0;  ///< simulated time of its beginning [s]
     body::Tracking tracking_ = body::Tracking::tips;
-    double cartesian_gain_ = 2.0;
+    double cartesian_gain_ = 3.0;
     body::ArmTargets asked_, asked_next_;  ///< of the tips at time() and a step later
     body::InverseKinematics::Tasks off_for_long_ =
         body::InverseKinematics::Tasks::Zero();  ///< integral of the tips' errors [m s]
     body::Posture wanted_;                       ///< by inverse kinematics, before it is corrected
     body::Posture strokes_rest_;                 ///< to which strokes are pulled: the grip
+    body::Posture clip_rest_;                    ///< to which a clip's tips are pulled now
     body::Posture faded_from_;  ///< what was asked for when something else began to be
     double fade_start_ = -1e9;  ///< when that was [s]
     std::vector<double> bare_;  ///< no resistance: the mass of the body alone

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "body/repair.hpp"
+#include "body/path_repair.hpp"
 #include "files/trajectory_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
