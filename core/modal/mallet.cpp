@@ -13,6 +13,8 @@ namespace {
 /// Far beyond any hand; keeps absurd input from becoming infinite.
 constexpr double kGreatestForce = 1e9;
 constexpr int kMostIterations = 100;
+/// Of mu v, within one step: what is lost then is right to some 1e-3 of what is left.
+constexpr double kHaste = 0.1;
 
 void require(bool good, const char* name, const char* expected, double value) {
     if (!good) {
@@ -193,6 +195,13 @@ double contact_force(const Mallet& mallet, const ContactStep& step, double guess
         return against - mallet.stickiness;
     }
     return std::clamp(step.free_change / step.compliance, -mallet.stickiness, kGreatestForce);
+}
+
+bool turns_hastily(const Mallet& mallet, const ContactStep& step, double force) noexcept {
+    const double y = step.free_change - step.compliance * force;
+    const double end = 2 * y / step.duration - step.rate;
+    return force > 0.0 && step.rate > 0.0 && end < 0.0 &&
+           mallet.dissipation * (step.rate - end) > kHaste;
 }
 
 }  // namespace percussionist::modal

@@ -348,16 +348,23 @@ TEST_CASE("loops for any processor and the best give the same bits") {
         phi[k] = std::cos(n * n);
     }
     ModeBank::Weights weights{phi, phi, {}};
-    const std::array<ModeBank::Push, 1> push{{{1.7, phi.data()}}};
     std::array<double, ModeBank::kChunk> a{}, b{};
-    for (int i = 0; i < 20; ++i) {
-        CHECK(plain.swing(push, phi) == best.swing(push, phi));
+    Values plain_middle(plain.padded()), best_middle(best.padded());
+    for (const std::size_t samples : {1u, 16u, 37u, 64u}) {
+        plain.give(std::vector(samples, 1.7), phi);
+        best.give(std::vector(samples, 1.7), phi);
+        CHECK(plain.displacement(phi) == best.displacement(phi));
         CHECK(plain.reading(weights) == best.reading(weights));
+        CHECK(plain.swing_about(phi, plain_middle) == best.swing_about(phi, best_middle));
+        CHECK(plain_middle == best_middle);
         plain.ring(weights, a);
         best.ring(weights, b);
         CHECK(a == b);
-        plain.advance(37);
-        best.advance(37);
+        plain.answer(phi, weights, a);
+        best.answer(phi, weights, b);
+        CHECK(a == b);
+        plain.advance(samples);
+        best.advance(samples);
     }
     CHECK(plain.energy() == best.energy());
 }

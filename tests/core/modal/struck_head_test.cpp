@@ -116,8 +116,8 @@ TEST_CASE("a hand damps the modes that move under it, and spares those with a no
         head.rest();
         Values alone(head.bank().padded(), 0.0);
         alone[k] = 1.0;
-        const std::array<ModeBank::Push, 1> push{{{1.0, alone.data()}}};
-        head.bank().push(push);
+        const double newton = 1.0;
+        head.bank().give(std::span(&newton, 1), alone);
         const double before = head.bank().energy();
         for (int i = 0; i < 4800; ++i) {
             head.step({});
