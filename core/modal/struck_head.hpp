@@ -56,7 +56,8 @@ struct Striker {
     double acceleration = 0.0;  ///< from all but the head, such as gravity and the hand [m/s^2]
     double force = 0.0;         ///< of the head on the striker, during the last sample [N]
     bool stuck = false;         ///< to a sticky head
-    double force_before = 0.0;  ///< in the sample before: where the next is sought from [N]
+    /// In the two steps before: where the next is sought from [N].
+    std::array<double, 2> forces_before{};
 };
 
 constexpr double kDriven = std::numeric_limits<double>::infinity();

@@ -132,10 +132,11 @@ bool StruckHead::find_forces(const Pace& pace, std::span<Striker> strikers) noex
                 .duration = period,
                 .rate = port.rate - striker.velocity,
                 .stuck = striker.stuck};
-            const double guess =
-                sweep == 0 ? 2 * striker.force - striker.force_before : striker.force;
+            double guess = striker.force;
             if (sweep == 0) {
-                striker.force_before = striker.force;
+                guess += 2 * (striker.force - striker.forces_before[0]) -
+                         (striker.forces_before[0] - striker.forces_before[1]);
+                striker.forces_before = {striker.force, striker.forces_before[0]};
             }
             const double force = contact_force(striker.mallet, contact, std::max(guess, 0.0));
             change = std::max(change, std::abs(force - striker.force));
