@@ -119,7 +119,11 @@ void ModeBank::advance(std::size_t samples) noexcept {
 
 void ModeBank::give(std::span<const double> forces, std::span<const double> phi) noexcept {
     moving_ = padded();
-    loops_->give(all_modes(), forces.data(), forces.size(), phi.data());
+    if (forces.size() == 1) {
+        loops_->give_once(all_modes(), forces[0], phi.data());
+    } else {
+        loops_->give(all_modes(), forces.data(), forces.size(), phi.data());
+    }
 }
 
 double ModeBank::swing_about(std::span<const double> weights, std::span<double> middle) noexcept {
@@ -186,17 +190,23 @@ void ModeBank::ring(std::span<const double> phi, std::span<double> displacements
 
 void ModeBank::answer(std::span<const double> phi, const Weights& weights,
                       std::span<double> readings) const noexcept {
-    Lanes lanes(readings);
-    loops_->respond(all_modes(), phi.data(), weights.q.data(), weights.y.data(), lanes.sums(),
-                    lanes.samples());
-    lanes.add_up();
+    answer(phi.data(), weights.q.data(), weights.y.data(), readings);
     readings[0] += direct(weights, phi);
 }
 
 void ModeBank::answer(std::span<const double> phi, std::span<const double> other,
                       std::span<double> displacements) const noexcept {
-    Lanes lanes(displacements);
-    loops_->respond(all_modes(), phi.data(), other.data(), nullptr, lanes.sums(), lanes.samples());
+    answer(phi.data(), other.data(), nullptr, displacements);
+}
+
+void ModeBank::answer(const double* phi, const double* a, const double* b,
+                      std::span<double> readings) const noexcept {
+    if (readings.size() == 1) {
+        readings[0] = loops_->respond_once(all_modes(), phi, a, b);
+        return;
+    }
+    Lanes lanes(readings);
+    loops_->respond(all_modes(), phi, a, b, lanes.sums(), lanes.samples());
     lanes.add_up();
 }
 

@@ -117,6 +117,8 @@ class ModeBank {
         return damped_[k] * at(kY, k) - modes_[k].loss * at(kQ, k);
     }
     double mode_energy(std::size_t k) const noexcept;
+    void answer(const double* phi, const double* a, const double* b,
+                std::span<double> readings) const noexcept;
     /// The loops' view. Those that only read are given it too.
     Modes moving_modes() const noexcept;
     Modes all_modes() const noexcept;

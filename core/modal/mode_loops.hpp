@@ -40,8 +40,9 @@ struct Modes {
 
 struct ModeLoops {
     /// What forces, shared out by phi, have added when `samples` have passed, each sample with its
-    /// own force.
+    /// own force; and what one has, in a simpler way.
     void (*give)(const Modes& bank, const double* forces, std::size_t samples, const double* phi);
+    void (*give_once)(const Modes& bank, double force, const double* phi);
     /// One turn that fills middle = weights (q before + q after); answers
     /// sum middle (q after - q before).
     double (*swing_about)(const Modes& bank, const double* weights, double* middle);
@@ -57,9 +58,11 @@ struct ModeLoops {
     /// null for none.
     void (*ring)(const Modes& bank, const double* a, const double* b, double* sums,
                  std::size_t samples);
-    /// The same after n turns, of the motion that 1 N, shared out by phi, makes in one sample.
+    /// The same after n turns, of the motion that 1 N, shared out by phi, makes in one sample; and
+    /// that motion's own reading.
     void (*respond)(const Modes& bank, const double* phi, const double* a, const double* b,
                     double* sums, std::size_t samples);
+    double (*respond_once)(const Modes& bank, const double* phi, const double* a, const double* b);
 
     static const ModeLoops& best();
     static const ModeLoops& baseline();

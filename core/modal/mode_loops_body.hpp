@@ -57,6 +57,17 @@ PERCUSSIONIST_INLINE void set_row(double* record, Slot slot, std::size_t i, Vect
     store(record + slot * kGroup + i, v);
 }
 
+void give_once(const Modes& bank, double force, const double* phi) {
+    for (std::size_t k = 0; k < bank.size; k += kGroup) {
+        double* const at = record(bank, k);
+        for (std::size_t i = 0; i < kGroup; i += kWidth) {
+            const Vector share = force * load(phi + k + i);
+            set_row(at, kQ, i, row(at, kQ, i) + row(at, kToQ, i) * share);
+            set_row(at, kY, i, row(at, kY, i) + row(at, kToY, i) * share);
+        }
+    }
+}
+
 /// Goertzel's recurrence: x[n] = f[n] + 2 r cos x[n-1] - r^2 x[n-2], of which the sum of the
 /// forces, each turned as often as samples have passed since, is x[n] - (turn back) x[n-1].
 void give(const Modes& bank, const double* forces, std::size_t samples, const double* phi) {
@@ -236,7 +247,24 @@ void respond(const Modes& bank, const double* phi, const double* weights_q, cons
     }
 }
 
-constexpr ModeLoops kLoops{give, swing_about, turn, turn_by, sum, read, ring, respond};
+double respond_once(const Modes& bank, const double* phi, const double* weights_q,
+                    const double* weights_y) {
+    Vector sums[kVectors] = {};
+    for (std::size_t k = 0; k < bank.size; k += kGroup) {
+        const double* const at = record(bank, k);
+        for (std::size_t i = 0; i < kGroup; i += kWidth) {
+            Vector reading = load(weights_q + k + i) * row(at, kToQ, i);
+            if (weights_y) {
+                reading += load(weights_y + k + i) * row(at, kToY, i);
+            }
+            sums[i / kWidth] += load(phi + k + i) * reading;
+        }
+    }
+    return sum_of(sums);
+}
+
+constexpr ModeLoops kLoops{give, give_once, swing_about, turn,    turn_by,
+                           sum,  read,      ring,        respond, respond_once};
 
 }  // namespace
 
