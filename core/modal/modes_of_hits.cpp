@@ -20,6 +20,11 @@ using std::numbers::pi;
 
 /// Of the bands [Hz]: the shorter the filter, the sooner it is past the stroke.
 constexpr double kBandWidth = 240.0;
+/// Of the band about 0 Hz, for what dies within a few periods, and up to where it is looked at.
+constexpr double kLowWidth = 480.0;
+constexpr double kLow = 200.0;
+/// It is preferred if it leaves so much less of the recordings.
+constexpr double kPreferred = 0.8;
 constexpr double kLongestT60 = 30.0;   // [s]
 constexpr double kShortestT60 = 0.02;  // [s]
 /// Two found closer than this part of their frequency, and their bandwidths, are one.
@@ -70,29 +75,48 @@ std::vector<std::span<const double>> ringing(std::span<const Hit> hits,
     return parts;
 }
 
+/// The decaying sines of one band, with frequencies from `low` up to `high`.
+std::vector<DecayingSine> sines_of(std::span<const std::span<const double>> parts,
+                                   const BandFilter& filter, double centre, double low,
+                                   double high) {
+    std::vector<SubBand> bands;
+    for (const auto& part : parts) {
+        bands.push_back(filter.apply(part, centre));
+    }
+    auto found = decaying_sines(bands, filter.width());
+    std::erase_if(found, [&](const DecayingSine& sine) {
+        const bool sounds =
+            sine.loss < loss_of_t60(kShortestT60) && sine.loss > loss_of_t60(kLongestT60);
+        return !sounds || sine.frequency < low || sine.frequency > high;
+    });
+    return found;
+}
+
 std::vector<DecayingSine> all_sines(std::span<const std::span<const double>> parts,
                                     double sample_rate, const HitAnalysis& analysis) {
     const BandFilter filter(sample_rate, kBandWidth);
     const double high = std::min(analysis.high, 0.45 * sample_rate);
     std::vector<DecayingSine> found;
     for (double centre = analysis.low; centre < high + kBandWidth / 2; centre += kBandWidth / 2) {
-        std::vector<SubBand> bands;
-        for (const auto& part : parts) {
-            bands.push_back(filter.apply(part, centre));
-        }
-        for (const auto& sine : decaying_sines(bands, kBandWidth)) {
-            // Bands overlap: each keeps its middle half.
-            const bool mine = std::abs(sine.frequency - centre) <= kBandWidth / 4;
-            const bool sounds =
-                sine.loss < loss_of_t60(kShortestT60) && sine.loss > loss_of_t60(kLongestT60);
-            if (mine && sounds && sine.frequency >= analysis.low && sine.frequency <= high) {
-                found.push_back(sine);
-            }
-        }
+        // Bands overlap: each keeps its middle half.
+        const auto sines =
+            sines_of(parts, filter, centre, std::max(analysis.low, centre - kBandWidth / 4),
+                     std::min(high, centre + kBandWidth / 4));
+        found.insert(found.end(), sines.begin(), sines.end());
     }
-    std::sort(found.begin(), found.end(),
-              [](const auto& a, const auto& b) { return a.frequency < b.frequency; });
     return found;
+}
+
+/// The same, but those below kLow found in one band, by a filter half as long.
+std::vector<DecayingSine> with_short_lows(std::vector<DecayingSine> sines,
+                                          std::span<const std::span<const double>> parts,
+                                          double sample_rate, const HitAnalysis& analysis) {
+    std::erase_if(sines, [](const DecayingSine& sine) { return sine.frequency < kLow; });
+    const BandFilter filter(sample_rate, kLowWidth);
+    const auto lows =
+        sines_of(parts, filter, 0.0, analysis.low, std::min({analysis.high, kLow}));
+    sines.insert(sines.end(), lows.begin(), lows.end());
+    return sines;
 }
 
 /// What a mode gives a recording in all: the sum of its squares.
@@ -160,6 +184,43 @@ std::vector<DecayingSine> significant(const std::vector<DecayingSine>& sines,
     std::sort(kept.begin(), kept.end(),
               [](const auto& a, const auto& b) { return a.frequency < b.frequency; });
     return kept;
+}
+
+/// How much of a recording the sines do not explain: power over all of it.
+double left_of(std::span<const DecayingSine> sines, std::span<const Complex> amplitudes,
+               std::span<const double> part, double sample_rate) {
+    const auto sum = resynthesis(sines, amplitudes, part.size(), sample_rate);
+    double whole = 0.0, rest = 0.0;
+    for (std::size_t n = 0; n < sum.size(); ++n) {
+        whole += part[n] * part[n];
+        rest += (part[n] - sum[n]) * (part[n] - sum[n]);
+    }
+    return whole > 0.0 ? rest / whole : 1.0;
+}
+
+double left_of_all(std::span<const DecayingSine> sines,
+                   std::span<const std::span<const double>> parts, double sample_rate) {
+    const auto all = fit(sines, parts, sample_rate);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        sum += left_of(sines, all[i], parts[i], sample_rate);
+    }
+    return sum;
+}
+
+/// Modes found one way or the other, whichever explains the recordings better.
+std::vector<DecayingSine> best_sines(std::span<const std::span<const double>> parts,
+                                     double sample_rate, const HitAnalysis& analysis) {
+    const auto found = all_sines(parts, sample_rate, analysis);
+    const auto kept = significant(found, parts, sample_rate, analysis.most);
+    if (analysis.low >= kLow) {
+        return kept;
+    }
+    const auto others = significant(with_short_lows(found, parts, sample_rate, analysis), parts,
+                                    sample_rate, analysis.most);
+    const bool better = left_of_all(others, parts, sample_rate) <
+                        kPreferred * left_of_all(kept, parts, sample_rate);
+    return better ? others : kept;
 }
 
 /// By how much later a hit's stroke began than another's [s]: the shift that makes phases alike but
@@ -271,22 +332,15 @@ MeasuredModes modes_of_hits(std::span<const Hit> hits, double sample_rate,
         measured.begins.push_back(stroke_begin(hit.samples, sample_rate));
     }
     const auto parts = ringing(hits, measured.begins, sample_rate, analysis);
-    measured.sines =
-        significant(all_sines(parts, sample_rate, analysis), parts, sample_rate, analysis.most);
+    measured.sines = best_sines(parts, sample_rate, analysis);
     if (measured.sines.empty()) {
         throw std::invalid_argument("modes: none found from " + std::to_string(analysis.low) +
                                     " to " + std::to_string(analysis.high) + " Hz");
     }
     measured.amplitudes = fit(measured.sines, parts, sample_rate);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const auto sum =
-            resynthesis(measured.sines, measured.amplitudes[i], parts[i].size(), sample_rate);
-        double whole = 0.0, rest = 0.0;
-        for (std::size_t n = 0; n < sum.size(); ++n) {
-            whole += parts[i][n] * parts[i][n];
-            rest += (parts[i][n] - sum[n]) * (parts[i][n] - sum[n]);
-        }
-        measured.left.push_back(whole > 0.0 ? rest / whole : 1.0);
+        measured.left.push_back(
+            left_of(measured.sines, measured.amplitudes[i], parts[i], sample_rate));
         // Back to the stroke.
         const double back = -std::floor(analysis.skip * sample_rate) / sample_rate;
         for (std::size_t k = 0; k < measured.sines.size(); ++k) {
