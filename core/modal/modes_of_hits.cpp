@@ -113,8 +113,7 @@ std::vector<DecayingSine> with_short_lows(std::vector<DecayingSine> sines,
                                           double sample_rate, const HitAnalysis& analysis) {
     std::erase_if(sines, [](const DecayingSine& sine) { return sine.frequency < kLow; });
     const BandFilter filter(sample_rate, kLowWidth);
-    const auto lows =
-        sines_of(parts, filter, 0.0, analysis.low, std::min({analysis.high, kLow}));
+    const auto lows = sines_of(parts, filter, 0.0, analysis.low, std::min({analysis.high, kLow}));
     sines.insert(sines.end(), lows.begin(), lows.end());
     return sines;
 }
@@ -186,26 +185,33 @@ std::vector<DecayingSine> significant(const std::vector<DecayingSine>& sines,
     return kept;
 }
 
-/// How much of a recording the sines do not explain: power over all of it.
-double left_of(std::span<const DecayingSine> sines, std::span<const Complex> amplitudes,
-               std::span<const double> part, double sample_rate) {
-    const auto sum = resynthesis(sines, amplitudes, part.size(), sample_rate);
-    double whole = 0.0, rest = 0.0;
-    for (std::size_t n = 0; n < sum.size(); ++n) {
-        whole += part[n] * part[n];
-        rest += (part[n] - sum[n]) * (part[n] - sum[n]);
-    }
-    return whole > 0.0 ? rest / whole : 1.0;
-}
-
-double left_of_all(std::span<const DecayingSine> sines,
-                   std::span<const std::span<const double>> parts, double sample_rate) {
-    const auto all = fit(sines, parts, sample_rate);
+/// Power up to `high` [Hz], by the filter that passes it.
+double power(std::span<const double> signal, const BandFilter& filter) {
+    // Between silences as long as the filter: all of it counts, the loud beginning most.
+    std::vector<double> padded(signal.size() + 2 * filter.length(), 0.0);
+    std::copy(signal.begin(), signal.end(), padded.begin() + static_cast<long>(filter.length()));
     double sum = 0.0;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        sum += left_of(sines, all[i], parts[i], sample_rate);
+    for (const Complex x : filter.apply(padded, 0.0).samples) {
+        sum += std::norm(x);
     }
     return sum;
+}
+
+/// How much of the recordings the sines do not explain: power over all, up to `high` [Hz].
+std::vector<double> left_of(std::span<const DecayingSine> sines,
+                            std::span<const std::span<const double>> parts, double sample_rate,
+                            double high) {
+    const BandFilter filter(sample_rate, std::min(2 * high, 0.9 * sample_rate));
+    const auto all = fit(sines, parts, sample_rate);
+    std::vector<double> left;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        auto rest = resynthesis(sines, all[i], parts[i].size(), sample_rate);
+        std::transform(parts[i].begin(), parts[i].end(), rest.begin(), rest.begin(),
+                       std::minus<>());
+        const double whole = power(parts[i], filter);
+        left.push_back(whole > 0.0 ? power(rest, filter) / whole : 1.0);
+    }
+    return left;
 }
 
 /// Modes found one way or the other, whichever explains the recordings better.
@@ -218,9 +224,11 @@ std::vector<DecayingSine> best_sines(std::span<const std::span<const double>> pa
     }
     const auto others = significant(with_short_lows(found, parts, sample_rate, analysis), parts,
                                     sample_rate, analysis.most);
-    const bool better = left_of_all(others, parts, sample_rate) <
-                        kPreferred * left_of_all(kept, parts, sample_rate);
-    return better ? others : kept;
+    const auto left = [&](std::span<const DecayingSine> sines) {
+        const auto of_each = left_of(sines, parts, sample_rate, analysis.high);
+        return std::accumulate(of_each.begin(), of_each.end(), 0.0);
+    };
+    return left(others) < kPreferred * left(kept) ? others : kept;
 }
 
 /// By how much later a hit's stroke began than another's [s]: the shift that makes phases alike but
@@ -338,9 +346,8 @@ MeasuredModes modes_of_hits(std::span<const Hit> hits, double sample_rate,
                                     " to " + std::to_string(analysis.high) + " Hz");
     }
     measured.amplitudes = fit(measured.sines, parts, sample_rate);
+    measured.left = left_of(measured.sines, parts, sample_rate, analysis.high);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        measured.left.push_back(
-            left_of(measured.sines, measured.amplitudes[i], parts[i], sample_rate));
         // Back to the stroke.
         const double back = -std::floor(analysis.skip * sample_rate) / sample_rate;
         for (std::size_t k = 0; k < measured.sines.size(); ++k) {

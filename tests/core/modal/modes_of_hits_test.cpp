@@ -116,6 +116,26 @@ TEST_CASE("modes are measured at 30 dB above noise: frequencies, decays, weights
     }
 }
 
+TEST_CASE("modes that die within a few periods are found, as a bass drum's") {
+    GivenModes given;
+    given.places = {0.0, 0.5};
+    given.modes = {{.frequency = 52, .t60 = 0.16, .weights = {1.0, 0.6}, .heard = 1.0},
+                   {.frequency = 88, .t60 = 0.11, .weights = {0.8, -0.5}, .heard = 1.0},
+                   {.frequency = 131, .t60 = 0.09, .weights = {0.6, 0.6}, .heard = 1.0}};
+    const auto measured = modes_of_hits(recorded(given, 30), kRate, {.high = 1000});
+    for (const auto& mode : given.modes) {
+        CAPTURE(mode.frequency);
+        CHECK(std::any_of(measured.modes.modes.begin(), measured.modes.modes.end(),
+                          [&](const GivenMode& found) {
+                              return std::abs(found.frequency / mode.frequency - 1) < 0.01 &&
+                                     std::abs(found.t60 / mode.t60 - 1) < 0.1;
+                          }));
+    }
+    for (const double left : measured.left) {
+        CHECK(left < 0.03);
+    }
+}
+
 TEST_CASE("recordings that cannot be are refused with the reason") {
     const auto refused = [](std::vector<Hit> hits) {
         try {
