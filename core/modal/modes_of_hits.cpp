@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "core/modal/decay.hpp"
 
@@ -18,13 +20,9 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-/// Of the bands [Hz]: the shorter the filter, the sooner it is past the stroke.
-constexpr double kBandWidth = 240.0;
-/// Of the band about 0 Hz, for what dies within a few periods, and up to where it is looked at.
-constexpr double kLowWidth = 480.0;
-constexpr double kLow = 200.0;
-/// It is preferred if it leaves so much less of the recordings.
-constexpr double kPreferred = 0.8;
+/// Of the bands [Hz]: the wider, the fewer modes can be told apart in one, and the shorter the
+/// filter, which takes its length off the recordings.
+constexpr double kBandWidths[] = {240.0, 480.0};
 constexpr double kLongestT60 = 30.0;   // [s]
 constexpr double kShortestT60 = 0.02;  // [s]
 /// Two found closer than this part of their frequency, and their bandwidths, are one.
@@ -93,29 +91,18 @@ std::vector<DecayingSine> sines_of(std::span<const std::span<const double>> part
 }
 
 std::vector<DecayingSine> all_sines(std::span<const std::span<const double>> parts,
-                                    double sample_rate, const HitAnalysis& analysis) {
-    const BandFilter filter(sample_rate, kBandWidth);
+                                    double sample_rate, const HitAnalysis& analysis, double width) {
+    const BandFilter filter(sample_rate, width);
     const double high = std::min(analysis.high, 0.45 * sample_rate);
     std::vector<DecayingSine> found;
-    for (double centre = analysis.low; centre < high + kBandWidth / 2; centre += kBandWidth / 2) {
+    for (double centre = analysis.low; centre < high + width / 2; centre += width / 2) {
         // Bands overlap: each keeps its middle half.
         const auto sines =
-            sines_of(parts, filter, centre, std::max(analysis.low, centre - kBandWidth / 4),
-                     std::min(high, centre + kBandWidth / 4));
+            sines_of(parts, filter, centre, std::max(analysis.low, centre - width / 4),
+                     std::min(high, centre + width / 4));
         found.insert(found.end(), sines.begin(), sines.end());
     }
     return found;
-}
-
-/// The same, but those below kLow found in one band, by a filter half as long.
-std::vector<DecayingSine> with_short_lows(std::vector<DecayingSine> sines,
-                                          std::span<const std::span<const double>> parts,
-                                          double sample_rate, const HitAnalysis& analysis) {
-    std::erase_if(sines, [](const DecayingSine& sine) { return sine.frequency < kLow; });
-    const BandFilter filter(sample_rate, kLowWidth);
-    const auto lows = sines_of(parts, filter, 0.0, analysis.low, std::min({analysis.high, kLow}));
-    sines.insert(sines.end(), lows.begin(), lows.end());
-    return sines;
 }
 
 /// What a mode gives a recording in all: the sum of its squares.
@@ -214,21 +201,22 @@ std::vector<double> left_of(std::span<const DecayingSine> sines,
     return left;
 }
 
-/// Modes found one way or the other, whichever explains the recordings better.
+/// Modes found in bands of one width or another, whichever explain the recordings best.
 std::vector<DecayingSine> best_sines(std::span<const std::span<const double>> parts,
                                      double sample_rate, const HitAnalysis& analysis) {
-    const auto found = all_sines(parts, sample_rate, analysis);
-    const auto kept = significant(found, parts, sample_rate, analysis.most);
-    if (analysis.low >= kLow) {
-        return kept;
+    std::vector<DecayingSine> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double width : kBandWidths) {
+        auto kept = significant(all_sines(parts, sample_rate, analysis, width), parts, sample_rate,
+                                analysis.most);
+        const auto left = left_of(kept, parts, sample_rate, analysis.high);
+        const double sum = std::accumulate(left.begin(), left.end(), 0.0);
+        if (sum < least) {
+            best = std::move(kept);
+            least = sum;
+        }
     }
-    const auto others = significant(with_short_lows(found, parts, sample_rate, analysis), parts,
-                                    sample_rate, analysis.most);
-    const auto left = [&](std::span<const DecayingSine> sines) {
-        const auto of_each = left_of(sines, parts, sample_rate, analysis.high);
-        return std::accumulate(of_each.begin(), of_each.end(), 0.0);
-    };
-    return left(others) < kPreferred * left(kept) ? others : kept;
+    return best;
 }
 
 /// By how much later a hit's stroke began than another's [s]: the shift that makes phases alike but

@@ -4,9 +4,9 @@
 // The recordings are cut where their stroke begins, looked at band by band (sub_band.hpp), the
 // decaying sines they share found in each (decaying_sines.hpp), and their amplitudes fitted to each
 // recording (partials.hpp), the first milliseconds left out, in which the stick still touches.
-// Below 200 Hz a second way is tried, one wider band whose filter is half as long: it finds what
-// dies within a few periods, as of a bass drum, where the narrow ones see too little of it. The
-// way that explains the recordings better is taken.
+// All is done in bands of two widths: narrow ones tell more modes apart, wide ones take less off a
+// short recording, as of a bass drum between two strokes. What explains the recordings better is
+// taken.
 // A mode is kept that stands out of what the fit leaves of a recording, in the bandwidth it fills.
 //
 // A stroke is taken for an impulse, and all strokes for equally hard. Then the amplitude of mode k
