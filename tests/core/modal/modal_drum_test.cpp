@@ -123,6 +123,32 @@ TEST_CASE("what is heard rings at the frequencies of theory") {
     }
 }
 
+TEST_CASE("what dies away comes to rest before its numbers become subnormal") {
+    for (const bool hand : {false, true}) {
+        ModalDrum drum({.loss = Decay{.t60_low = 0.4, .t60_high = 0.01}, .choice = {.count = 24}},
+                       kRate);
+        if (hand) {
+            drum.lay(0, {});
+        }
+        drum.strike(0, {});
+        std::array<float, 64> block{};
+        for (int i = 0; i < 1500; ++i) {
+            drum.process(std::span(block));
+            for (const float sample : block) {
+                REQUIRE(std::fpclassify(sample) != FP_SUBNORMAL);
+            }
+            const auto& bank = drum.head().bank();
+            Values only(bank.padded(), 0.0);
+            for (std::size_t k = 0; k < bank.size(); ++k) {
+                only[k] = 1.0;
+                REQUIRE(std::fpclassify(bank.displacement(only)) != FP_SUBNORMAL);
+                only[k] = 0.0;
+            }
+        }
+        CHECK(drum.silent());
+    }
+}
+
 TEST_CASE("nothing makes it leave -1 to 1") {
     std::vector<Event> events;
     for (std::size_t i = 0; i < 200; ++i) {
