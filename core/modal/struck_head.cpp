@@ -46,8 +46,10 @@ StruckHead::StruckHead(Resonator resonator, double sample_rate)
     : sample_rate_(valid_rate(sample_rate)),
       resonator_(std::move(resonator)),
       reserve_(kFullReserve) {
-    for (double period = 1.0 / sample_rate; paces_.size() < kPaces; period /= kFiner) {
+    double period = 1.0 / sample_rate;
+    while (paces_.size() < kPaces) {
         paces_.emplace_back(resonator_.size(), period);
+        period /= kFiner;
     }
     set_modes();
     for (auto& port : ports_) {
