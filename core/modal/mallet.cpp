@@ -13,6 +13,10 @@ namespace {
 /// Far beyond any hand; keeps absurd input from becoming infinite.
 constexpr double kGreatestForce = 1e9;
 constexpr int kMostIterations = 100;
+/// A step of Newton's so small a part of what the law varies over leaves an error of its square.
+constexpr double kNear = 2e-8;
+/// Of mu v, within one step: what is lost then is right to some 1e-3 of what is left.
+constexpr double kHaste = 0.1;
 
 void require(bool good, const char* name, const char* expected, double value) {
     if (!good) {
@@ -38,22 +42,24 @@ Slope mean_force(const Mallet& mallet, double d, double potential, double y) noe
     const double a = mallet.exponent;
     const double end = d + y;
     const double middle = d + 0.5 * y;
-    const double bend = y / middle;
-    if (std::abs(bend) < 0.01 && middle > 0.0) {
+    if (std::abs(y) < 0.01 * middle) {
         // The quotient would cancel: Taylor's series about the middle, its next term below 1e-17.
-        const double c2 = a * (a - 1) / 24;
-        const double c4 = c2 * (a - 2) * (a - 3) / 80;
+        const double part = 1 / middle;
+        const double bend = y * part;
+        const double c2 = a * (a - 1) * (1.0 / 24);
+        const double c4 = c2 * (a - 2) * (a - 3) * (1.0 / 80);
         const double e = bend * bend;
         const double at_middle = mallet.stiffness * power(middle, a);
         const double series = 1 + e * (c2 + e * c4);
-        const double bend_slope = (1 - 0.5 * bend) / middle;
+        const double bend_slope = (1 - 0.5 * bend) * part;
         const double series_slope = bend * (2 * c2 + 4 * e * c4) * bend_slope;
-        return {at_middle * series, at_middle * (0.5 * a / middle * series + series_slope)};
+        return {at_middle * series, at_middle * (0.5 * a * part * series + series_slope)};
     }
     const double end_force = end > 0.0 ? mallet.stiffness * power(end, a) : 0.0;
     const double end_potential = end > 0.0 ? end_force * end / (a + 1) : 0.0;
-    const double value = (end_potential - potential) / y;
-    return {value, (end_force - value) / y};
+    const double part = 1 / y;
+    const double value = (end_potential - potential) * part;
+    return {value, (end_force - value) * part};
 }
 
 /// atanh(e) / e - 1 and its derivative.
@@ -82,12 +88,14 @@ Slope damping(const Mallet& mallet, const ContactStep& step, double y) noexcept 
     if (end <= -1.0) {
         return {0.0, 0.0};
     }
-    const double e = (p - 1 - start) / p;
+    const double part = 1 / p;
+    const double e = (p - 1 - start) * part;
     const Slope more = excess(e);
     const double below = p - 1 - more.value;
-    const double value = p * (p - 1) / below;
-    const double below_slope = slope * (1 - more.derivative * (1 - e) / p);
-    return {value, (slope * (2 * p - 1) - value * below_slope) / below};
+    const double per_below = 1 / below;
+    const double value = p * (p - 1) * per_below;
+    const double below_slope = slope * (1 - more.derivative * (1 - e) * part);
+    return {value, (slope * (2 * p - 1) - value * below_slope) * per_below};
 }
 
 /// The whole law: discrete gradient times damping.
@@ -100,6 +108,13 @@ Slope force_law(const Mallet& mallet, const ContactStep& step, double potential,
     const Slope elastic = mean_force(mallet, step.compression, potential, y);
     return {elastic.value * damped.value,
             elastic.derivative * damped.value + elastic.value * damped.derivative};
+}
+
+/// By how much y may change before the law is another.
+double reach(const Mallet& mallet, const ContactStep& step, double y) noexcept {
+    const double depth = std::max(step.compression, step.compression + y);
+    const double of_damping = step.duration + mallet.dissipation * y;
+    return mallet.dissipation * depth > of_damping ? of_damping / mallet.dissipation : depth;
 }
 
 /// Where the bodies' answer meets the law.
@@ -120,7 +135,7 @@ double solve(const Mallet& mallet, const ContactStep& step, double guess) noexce
         (missing > 0.0 ? high : low) = y;
         double next = y - missing / (1 + step.compliance * std::max(law.derivative, 0.0));
         // Newton's error is squared by each step: what the next would add is below rounding.
-        if (!(std::abs(next - y) > std::max(tolerance, 1e-9 * std::abs(y)))) {
+        if (!(std::abs(next - y) > std::max(tolerance, kNear * reach(mallet, step, y)))) {
             return law.value + law.derivative * (next - y);
         }
         if (!(next > low && next < high)) {
@@ -193,6 +208,15 @@ double contact_force(const Mallet& mallet, const ContactStep& step, double guess
         return against - mallet.stickiness;
     }
     return std::clamp(step.free_change / step.compliance, -mallet.stickiness, kGreatestForce);
+}
+
+bool turns_hastily(const Mallet& mallet, const ContactStep& step, double force) noexcept {
+    if (!(force > 0.0 && step.rate > 0.0 && mallet.dissipation > 0.0)) {
+        return false;
+    }
+    const double y = step.free_change - step.compliance * force;
+    const double end = 2 * y / step.duration - step.rate;
+    return end < 0.0 && mallet.dissipation * (step.rate - end) > kHaste;
 }
 
 }  // namespace percussionist::modal

@@ -64,4 +64,8 @@ struct ContactStep {
 /// step before) saves iterations and changes the result by no more than rounding.
 double contact_force(const Mallet& mallet, const ContactStep& step, double guess) noexcept;
 
+/// Whether under this force a lossy felt goes from in to out so quickly that the mean of the
+/// damping within the step is a guess: only shorter steps tell.
+bool turns_hastily(const Mallet& mallet, const ContactStep& step, double force) noexcept;
+
 }  // namespace percussionist::modal

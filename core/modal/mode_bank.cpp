@@ -1,10 +1,34 @@
 #include "core/modal/mode_bank.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace percussionist::modal {
+
+namespace {
+
+/// Sums over modes, four to a sample, as the loops leave them.
+class Lanes {
+  public:
+    explicit Lanes(std::span<double> readings)
+        : readings_(readings.first(std::min(readings.size(), ModeBank::kChunk))) {
+        std::fill_n(sums_, 4 * samples(), 0.0);
+    }
+    double* sums() { return sums_; }
+    std::size_t samples() const { return readings_.size(); }
+    void add_up() const {
+        for (std::size_t n = 0; n < samples(); ++n) {
+            const double* const lane = sums_ + 4 * n;
+            readings_[n] = (lane[0] + lane[1]) + (lane[2] + lane[3]);
+        }
+    }
+
+  private:
+    std::span<double> readings_;
+    alignas(64) double sums_[4 * ModeBank::kChunk];
+};
+
+}  // namespace
 
 ModeBank::ModeBank(std::size_t size, double period, const ModeLoops& loops)
     : loops_(&loops), size_(size), period_(period) {
@@ -48,14 +72,19 @@ void ModeBank::set(std::size_t k, const Mode& mode) noexcept {
     at(kSin, k) = d;
     at(kToQ, k) = give * (missing - d * s / wd);
     at(kToY, k) = give * (d + missing * s / wd);
-    double chunk_c = c, chunk_d = d;
-    for (std::size_t n = 1; n < kChunk; n *= 2) {
-        const double square = chunk_c * chunk_c - chunk_d * chunk_d;
-        chunk_d = 2 * chunk_c * chunk_d;
-        chunk_c = square;
+    double many_c = c, many_d = d;
+    for (std::size_t n = 1; n < kChunk;) {
+        const double square = many_c * many_c - many_d * many_d;
+        many_d = 2 * many_c * many_d;
+        many_c = square;
+        n *= 2;
+        if (n == kSpan) {
+            at(kSpanCos, k) = many_c;
+            at(kSpanSin, k) = many_d;
+        }
     }
-    at(kChunkCos, k) = chunk_c;
-    at(kChunkSin, k) = chunk_d;
+    at(kChunkCos, k) = many_c;
+    at(kChunkSin, k) = many_d;
 }
 
 void ModeBank::continue_from(const ModeBank& other, long shift) noexcept {
@@ -70,56 +99,48 @@ void ModeBank::continue_from(const ModeBank& other, long shift) noexcept {
     moving_ = padded();
 }
 
-double ModeBank::swing(std::span<const Push> pushes, std::span<const double> phi) noexcept {
-    if (pushes.size() == 1) {
-        moving_ = padded();
-        return loops_->push_and_swing(all_modes(), pushes[0].force, pushes[0].phi, phi.data());
+void ModeBank::take_motion(const ModeBank& other) noexcept {
+    moving_ = std::min(other.moving_, padded());
+    for (std::size_t k = 0; k < padded(); ++k) {
+        at(kQ, k) = k < moving_ ? other.at(kQ, k) : 0.0;
+        at(kY, k) = k < moving_ ? other.at(kY, k) : 0.0;
     }
-    push(pushes);
-    return loops_->swing(moving_modes(), phi.data());
 }
 
-double ModeBank::touch(double force, std::span<const double> phi, const Weights& weights,
-                       double& reading) noexcept {
+void ModeBank::advance(std::size_t samples) noexcept {
+    if (samples == kChunk) {
+        loops_->turn_by(moving_modes(), kChunkCos);
+    } else if (samples == kSpan) {
+        loops_->turn_by(moving_modes(), kSpanCos);
+    } else {
+        loops_->turn(moving_modes(), std::min(samples, kChunk));
+    }
+}
+
+void ModeBank::give(std::span<const double> forces, std::span<const double> phi) noexcept {
     moving_ = padded();
-    return loops_->touch(all_modes(), force, phi.data(), weights.q.data(), weights.y.data(),
-                         reading);
+    if (forces.size() == 1) {
+        loops_->give_once(all_modes(), forces[0], phi.data());
+    } else {
+        loops_->give(all_modes(), forces.data(), forces.size(), phi.data());
+    }
 }
 
-ModeBank::Swung ModeBank::swing_about(std::span<const Push> pushes, std::span<const double> phi,
-                                      std::span<const double> weights,
-                                      std::span<double> middle) noexcept {
-    push(pushes);
+double ModeBank::swing_about(std::span<const double> weights, std::span<double> middle) noexcept {
     moving_ = padded();  // all of `middle` is to be filled
-    Swung swung;
-    swung.displacement =
-        loops_->swing_about(moving_modes(), phi.data(), weights.data(), middle.data(), swung.moved);
-    return swung;
+    return loops_->swing_about(moving_modes(), weights.data(), middle.data());
 }
 
-void ModeBank::push(std::span<const Push> pushes) noexcept {
-    for (const Push& push : pushes) {
-        moving_ = padded();
-        loops_->push(all_modes(), push.force, push.phi);
-    }
-}
-
-double ModeBank::compliance(std::span<const double> phi,
-                            std::span<const double> other) const noexcept {
-    return loops_->sum2(all_modes(), kToQ, phi.data(), other.data());
-}
-
-double ModeBank::response(const Weights& weights, std::span<const double> phi) const noexcept {
-    double direct = 0.0;
+double ModeBank::direct(const Weights& weights, std::span<const double> phi) noexcept {
+    double sum = 0.0;
     for (std::size_t k = 0; k < weights.force.size(); ++k) {
-        direct += weights.force[k] * phi[k];
+        sum += weights.force[k] * phi[k];
     }
-    return loops_->sum2(all_modes(), kToQ, weights.q.data(), phi.data()) +
-           loops_->sum2(all_modes(), kToY, weights.y.data(), phi.data()) + direct;
+    return sum;
 }
 
 double ModeBank::displacement(std::span<const double> phi) const noexcept {
-    return loops_->sum(moving_modes(), kQ, phi.data());
+    return loops_->sum(moving_modes(), phi.data());
 }
 
 double ModeBank::reading(const Weights& weights) const noexcept {
@@ -156,21 +177,37 @@ void ModeBank::read_acceleration(std::span<const double> in_phase, std::span<con
 }
 
 void ModeBank::ring(const Weights& weights, std::span<double> readings) const noexcept {
-    alignas(64) std::array<double, 4 * kChunk> lanes{};
-    const std::size_t samples = std::min(readings.size(), kChunk);
-    loops_->ring(moving_modes(), weights.q.data(), weights.y.data(), lanes.data(), samples);
-    for (std::size_t n = 0; n < samples; ++n) {
-        const double* const sums = lanes.data() + 4 * n;
-        readings[n] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-    }
+    Lanes lanes(readings);
+    loops_->ring(moving_modes(), weights.q.data(), weights.y.data(), lanes.sums(), lanes.samples());
+    lanes.add_up();
 }
 
-void ModeBank::advance(std::size_t samples) noexcept {
-    if (samples == kChunk) {
-        loops_->turn_chunk(moving_modes());
-    } else {
-        loops_->turn(moving_modes(), std::min(samples, kChunk));
+void ModeBank::ring(std::span<const double> phi, std::span<double> displacements) const noexcept {
+    Lanes lanes(displacements);
+    loops_->ring(moving_modes(), phi.data(), nullptr, lanes.sums(), lanes.samples());
+    lanes.add_up();
+}
+
+void ModeBank::answer(std::span<const double> phi, const Weights& weights,
+                      std::span<double> readings) const noexcept {
+    answer(phi.data(), weights.q.data(), weights.y.data(), readings);
+    readings[0] += direct(weights, phi);
+}
+
+void ModeBank::answer(std::span<const double> phi, std::span<const double> other,
+                      std::span<double> displacements) const noexcept {
+    answer(phi.data(), other.data(), nullptr, displacements);
+}
+
+void ModeBank::answer(const double* phi, const double* a, const double* b,
+                      std::span<double> readings) const noexcept {
+    if (readings.size() == 1) {
+        readings[0] = loops_->respond_once(all_modes(), phi, a, b);
+        return;
     }
+    Lanes lanes(readings);
+    loops_->respond(all_modes(), phi, a, b, lanes.sums(), lanes.samples());
+    lanes.add_up();
 }
 
 double ModeBank::mode_energy(std::size_t k) const noexcept {

@@ -6,10 +6,15 @@
 // and s meanwhile: never unstable, and its poles are exact up to half the sample rate. A force f
 // moves the point about which it turns from 0 to q = f phi / (m w^2).
 //
-// Under forces the bank goes sample by sample: swing(). Free, it is asked what will be heard in the
-// next samples, ring(), which leaves it where it is, and then moved on by advance(). There each
-// reading of a mode follows its own recurrence p[n+1] = 2 r cos p[n] - r^2 p[n-1] (r, cos of one
-// sample's turn), kept in registers for a whole chunk: half the work of turning the mode.
+// The bank is asked what will be read in the next samples if nothing acts, ring(), which leaves it
+// where it is, and then moved on over them by advance(). What forces in between have added is given
+// to it afterwards, give(); what each adds to the readings until then follows from answer(). So a
+// mode's numbers are fetched once in many samples: a bank larger than the cache is as fast as
+// arithmetic, in double precision; in float it would be half as large, and not faster by more than
+// that of the arithmetic. Each reading of a mode follows its own recurrence p[n+1] = 2 r cos p[n] -
+// r^2 p[n-1] (r, cos of one sample's turn), and so does what forces add (Goertzel, "An algorithm
+// for the evaluation of finite trigonometric series", 1958): half the work of turning the mode.
+// From n samples rounding grows as n^2, to some 1e-14 in a span.
 //
 // The sums over modes are taken in one fixed order and nothing is contracted to fused operations:
 // the same calls give the same bits on any processor. A bank's size is rounded up to whole groups
@@ -31,18 +36,13 @@ namespace percussionist::modal {
 class ModeBank {
   public:
     static constexpr std::size_t kGroup = Modes::kGroup;
-    static constexpr std::size_t kChunk = 64;  ///< samples in one call of ring()
+    static constexpr std::size_t kSpan = 16;   ///< samples that advance() passes at once,
+    static constexpr std::size_t kChunk = 64;  ///< or these; the most in one call
 
     struct Mode {
         double angular_frequency = 0.0;  ///< w [rad/s]; 0: a mode that never moves
         double loss = 0.0;               ///< s [1/s], below w
         double mass = 1.0;               ///< m [kg]
-    };
-
-    /// A force, constant during a sample, shared out by phi.
-    struct Push {
-        double force = 0.0;  ///< [N]
-        const double* phi = nullptr;
     };
 
     /// Weights of q and y that read a sum over modes, such as a velocity.
@@ -64,27 +64,18 @@ class ModeBank {
     /// k those of the other's k + shift.
     void continue_from(const ModeBank& other, long shift = 0) noexcept;
 
-    /// What forces during the sample just swung have added, then one more sample without a force.
-    /// Answers sum phi q then.
-    double swing(std::span<const Push> pushes, std::span<const double> phi) noexcept;
-    /// A push by phi, swing(phi), and what `weights` then read, in one pass.
-    double touch(double force, std::span<const double> phi, const Weights& weights,
-                 double& reading) noexcept;
-    struct Swung {
-        double displacement = 0.0;  ///< sum phi q [m]
-        double moved = 0.0;         ///< sum middle (q after - q before)
-    };
-    /// swing(), and in `middle` weights (q before + q after): the gradient of sum weights q^2
-    /// there.
-    Swung swing_about(std::span<const Push> pushes, std::span<const double> phi,
-                      std::span<const double> weights, std::span<double> middle) noexcept;
-    /// What forces during the sample just swung have added.
-    void push(std::span<const Push> pushes) noexcept;
+    /// Takes over the displacements and velocities of a bank of the same modes, of another period.
+    void take_motion(const ModeBank& other) noexcept;
 
-    /// sum phi q that a force of 1 N shared out by `other` makes in one sample [m/N].
-    double compliance(std::span<const double> phi, std::span<const double> other) const noexcept;
-    /// What a force of 1 N shared out by phi adds to a reading in one sample.
-    double response(const Weights& weights, std::span<const double> phi) const noexcept;
+    /// So many samples (at most kChunk) without a force.
+    void advance(std::size_t samples) noexcept;
+    /// What forces [N], constant during each of the samples just passed and shared out by phi, have
+    /// added.
+    void give(std::span<const double> forces, std::span<const double> phi) noexcept;
+
+    /// advance(1), and in `middle` weights (q before + q after): the gradient of sum weights q^2
+    /// there. Answers sum middle (q after - q before).
+    double swing_about(std::span<const double> weights, std::span<double> middle) noexcept;
 
     double displacement(std::span<const double> phi) const noexcept;  ///< sum phi q [m]
     double reading(const Weights& weights) const noexcept;
@@ -95,10 +86,18 @@ class ModeBank {
     void read_acceleration(std::span<const double> in_phase, std::span<const double> later,
                            Weights& weights) const noexcept;
 
-    /// The reading after each of the next samples (at most kChunk), if none is forced.
+    /// The reading, or sum phi q, after each of the next samples (at most kChunk), if none is
+    /// forced.
     void ring(const Weights& weights, std::span<double> readings) const noexcept;
-    /// So many samples (at most kChunk) without a force.
-    void advance(std::size_t samples) noexcept;
+    void ring(std::span<const double> phi, std::span<double> displacements) const noexcept;
+    /// What 1 N during one sample, shared out by phi, adds to the reading, or to sum other q, after
+    /// this sample and those that follow (at most kChunk in all).
+    void answer(std::span<const double> phi, const Weights& weights,
+                std::span<double> readings) const noexcept;
+    void answer(std::span<const double> phi, std::span<const double> other,
+                std::span<double> displacements) const noexcept;
+    /// The part of answer() that a reading of accelerations has during the sample alone.
+    static double direct(const Weights& weights, std::span<const double> phi) noexcept;
 
     const Mode& mode(std::size_t k) const { return modes_[k]; }
 
@@ -118,6 +117,8 @@ class ModeBank {
         return damped_[k] * at(kY, k) - modes_[k].loss * at(kQ, k);
     }
     double mode_energy(std::size_t k) const noexcept;
+    void answer(const double* phi, const double* a, const double* b,
+                std::span<double> readings) const noexcept;
     /// The loops' view. Those that only read are given it too.
     Modes moving_modes() const noexcept;
     Modes all_modes() const noexcept;

@@ -13,8 +13,21 @@
 
 namespace percussionist::modal {
 
-/// The rows of a record: state, turn in a sample and in a chunk, and what f phi adds in a sample.
-enum Slot : std::size_t { kQ, kY, kCos, kSin, kToQ, kToY, kChunkCos, kChunkSin, kSlots };
+/// The rows of a record: state, turn in a sample, what f phi adds in a sample, and the turns in a
+/// span and in a chunk of samples.
+enum Slot : std::size_t {
+    kQ,
+    kY,
+    kCos,
+    kSin,
+    kToQ,
+    kToY,
+    kSpanCos,
+    kSpanSin,
+    kChunkCos,
+    kChunkSin,
+    kSlots
+};
 
 /// A bank as the loops see it: its block, and how many modes move.
 struct Modes {
@@ -26,32 +39,30 @@ struct Modes {
 };
 
 struct ModeLoops {
-    /// q += to_q force phi, y += to_y force phi.
-    void (*push)(const Modes& bank, double force, const double* phi);
-    /// One turn; answers sum phi q.
-    double (*swing)(const Modes& bank, const double* phi);
-    /// push(force, shares), then swing(phi), in one pass.
-    double (*push_and_swing)(const Modes& bank, double force, const double* shares,
-                             const double* phi);
-    /// push(force, phi), swing(phi), and reading = sum a q + b y then, in one pass: all that is
-    /// done in a sample in which one mallet touches.
-    double (*touch)(const Modes& bank, double force, const double* phi, const double* a,
-                    const double* b, double& reading);
-    /// swing() that fills middle = weights (q before + q after), and sets
-    /// moved = sum middle (q after - q before).
-    double (*swing_about)(const Modes& bank, const double* phi, const double* weights,
-                          double* middle, double& moved);
-    /// `samples` turns, or one by a whole chunk.
+    /// What forces, shared out by phi, have added when `samples` have passed, each sample with its
+    /// own force; and what one has, in a simpler way.
+    void (*give)(const Modes& bank, const double* forces, std::size_t samples, const double* phi);
+    void (*give_once)(const Modes& bank, double force, const double* phi);
+    /// One turn that fills middle = weights (q before + q after); answers
+    /// sum middle (q after - q before).
+    double (*swing_about)(const Modes& bank, const double* weights, double* middle);
+    /// `samples` turns, or one by a whole span or chunk: by the row kSpanCos or kChunkCos and the
+    /// one after it.
     void (*turn)(const Modes& bank, std::size_t samples);
-    void (*turn_chunk)(const Modes& bank);
-    /// sum a x; sum a b x; x being a row of the bank.
-    double (*sum)(const Modes& bank, Slot row, const double* a);
-    double (*sum2)(const Modes& bank, Slot row, const double* a, const double* b);
+    void (*turn_by)(const Modes& bank, Slot cos);
+    /// sum a q.
+    double (*sum)(const Modes& bank, const double* a);
     /// sum a q + b y.
     double (*read)(const Modes& bank, const double* a, const double* b);
-    /// sums[4 n .. 4 n + 3] += the lanes of the reading after n + 1 turns.
+    /// sums[4 n .. 4 n + 3] += the lanes of the reading sum a q + b y after n + 1 turns; b may be
+    /// null for none.
     void (*ring)(const Modes& bank, const double* a, const double* b, double* sums,
                  std::size_t samples);
+    /// The same after n turns, of the motion that 1 N, shared out by phi, makes in one sample; and
+    /// that motion's own reading.
+    void (*respond)(const Modes& bank, const double* phi, const double* a, const double* b,
+                    double* sums, std::size_t samples);
+    double (*respond_once)(const Modes& bank, const double* phi, const double* a, const double* b);
 
     static const ModeLoops& best();
     static const ModeLoops& baseline();

@@ -57,13 +57,46 @@ PERCUSSIONIST_INLINE void set_row(double* record, Slot slot, std::size_t i, Vect
     store(record + slot * kGroup + i, v);
 }
 
-void push(const Modes& bank, double force, const double* phi) {
+void give_once(const Modes& bank, double force, const double* phi) {
     for (std::size_t k = 0; k < bank.size; k += kGroup) {
         double* const at = record(bank, k);
         for (std::size_t i = 0; i < kGroup; i += kWidth) {
             const Vector share = force * load(phi + k + i);
             set_row(at, kQ, i, row(at, kQ, i) + row(at, kToQ, i) * share);
             set_row(at, kY, i, row(at, kY, i) + row(at, kToY, i) * share);
+        }
+    }
+}
+
+/// Goertzel's recurrence: x[n] = f[n] + 2 r cos x[n-1] - r^2 x[n-2], of which the sum of the
+/// forces, each turned as often as samples have passed since, is x[n] - (turn back) x[n-1].
+void give(const Modes& bank, const double* forces, std::size_t samples, const double* phi) {
+    constexpr std::size_t kAtOnce = 4;
+    for (std::size_t k = 0; k < bank.size; k += kGroup) {
+        double* const at = record(bank, k);
+        for (std::size_t j = 0; j < kGroup; j += kAtOnce * kWidth) {
+            Vector now[kAtOnce] = {}, last[kAtOnce] = {}, a[kAtOnce], b[kAtOnce];
+            for (std::size_t i = 0; i < kAtOnce; ++i) {
+                const Vector c = row(at, kCos, j + i * kWidth), s = row(at, kSin, j + i * kWidth);
+                a[i] = c + c;
+                b[i] = c * c + s * s;
+            }
+            for (std::size_t n = 0; n < samples; ++n) {
+                for (std::size_t i = 0; i < kAtOnce; ++i) {
+                    const Vector next = (forces[n] - b[i] * last[i]) + a[i] * now[i];
+                    last[i] = now[i];
+                    now[i] = next;
+                }
+            }
+            for (std::size_t i = 0; i < kAtOnce; ++i) {
+                const std::size_t m = j + i * kWidth;
+                const Vector shape = load(phi + k + m);
+                const Vector real = shape * (now[i] - row(at, kCos, m) * last[i]);
+                const Vector imaginary = shape * (row(at, kSin, m) * last[i]);
+                const Vector to_q = row(at, kToQ, m), to_y = row(at, kToY, m);
+                set_row(at, kQ, m, row(at, kQ, m) + (to_q * real + to_y * imaginary));
+                set_row(at, kY, m, row(at, kY, m) + (to_y * real - to_q * imaginary));
+            }
         }
     }
 }
@@ -95,75 +128,21 @@ void turn(const Modes& bank, std::size_t samples) {
     }
 }
 
-void turn_chunk(const Modes& bank) {
+void turn_by(const Modes& bank, Slot cos) {
+    const auto sin = static_cast<Slot>(cos + 1);
     for (std::size_t k = 0; k < bank.size; k += kGroup) {
         double* const at = record(bank, k);
         for (std::size_t i = 0; i < kGroup; i += kWidth) {
             const Vector q = row(at, kQ, i), y = row(at, kY, i);
-            const Vector c = row(at, kChunkCos, i), s = row(at, kChunkSin, i);
+            const Vector c = row(at, cos, i), s = row(at, sin, i);
             set_row(at, kQ, i, c * q + s * y);
             set_row(at, kY, i, c * y - s * q);
         }
     }
 }
 
-template <bool pushed>
-PERCUSSIONIST_INLINE double swing_once(const Modes& bank, double force, const double* shares,
-                                       const double* phi) {
-    Vector sums[kVectors] = {};
-    for (std::size_t k = 0; k < bank.size; k += kGroup) {
-        double* const at = record(bank, k);
-        for (std::size_t i = 0; i < kGroup; i += kWidth) {
-            Vector q = row(at, kQ, i), y = row(at, kY, i);
-            if (pushed) {
-                const Vector share = force * load(shares + k + i);
-                q += row(at, kToQ, i) * share;
-                y += row(at, kToY, i) * share;
-            }
-            const Vector c = held(row(at, kCos, i)), s = held(row(at, kSin, i));
-            const Vector turned = c * q + s * y;
-            set_row(at, kQ, i, turned);
-            set_row(at, kY, i, c * y - s * q);
-            sums[i / kWidth] += load(phi + k + i) * turned;
-        }
-    }
-    return sum_of(sums);
-}
-
-double swing(const Modes& bank, const double* phi) {
-    return swing_once<false>(bank, 0.0, nullptr, phi);
-}
-
-double push_and_swing(const Modes& bank, double force, const double* shares, const double* phi) {
-    return swing_once<true>(bank, force, shares, phi);
-}
-
-double touch(const Modes& bank, double force, const double* phi, const double* a, const double* b,
-             double& reading) {
-    Vector sums[kVectors] = {}, reads[kVectors] = {};
-    for (std::size_t k = 0; k < bank.size; k += kGroup) {
-        double* const at = record(bank, k);
-        for (std::size_t i = 0; i < kGroup; i += kWidth) {
-            const Vector shape = held(load(phi + k + i));
-            const Vector share = force * shape;
-            const Vector q = held(row(at, kQ, i) + row(at, kToQ, i) * share);
-            const Vector y = held(row(at, kY, i) + row(at, kToY, i) * share);
-            const Vector c = held(row(at, kCos, i)), s = held(row(at, kSin, i));
-            const Vector turned_q = c * q + s * y;
-            const Vector turned_y = c * y - s * q;
-            set_row(at, kQ, i, turned_q);
-            set_row(at, kY, i, turned_y);
-            sums[i / kWidth] += shape * turned_q;
-            reads[i / kWidth] += load(a + k + i) * turned_q + load(b + k + i) * turned_y;
-        }
-    }
-    reading = sum_of(reads);
-    return sum_of(sums);
-}
-
-double swing_about(const Modes& bank, const double* phi, const double* weights, double* middle,
-                   double& moved) {
-    Vector sums[kVectors] = {}, moves[kVectors] = {};
+double swing_about(const Modes& bank, const double* weights, double* middle) {
+    Vector moves[kVectors] = {};
     for (std::size_t k = 0; k < bank.size; k += kGroup) {
         double* const at = record(bank, k);
         for (std::size_t i = 0; i < kGroup; i += kWidth) {
@@ -175,30 +154,17 @@ double swing_about(const Modes& bank, const double* phi, const double* weights, 
             set_row(at, kY, i, c * y - s * q);
             store(middle + k + i, about);
             moves[i / kWidth] += about * (turned - q);
-            sums[i / kWidth] += load(phi + k + i) * turned;
         }
     }
-    moved = sum_of(moves);
-    return sum_of(sums);
+    return sum_of(moves);
 }
 
-double sum(const Modes& bank, Slot slot, const double* a) {
+double sum(const Modes& bank, const double* a) {
     Vector sums[kVectors] = {};
     for (std::size_t k = 0; k < bank.size; k += kGroup) {
         const double* const at = record(bank, k);
         for (std::size_t i = 0; i < kGroup; i += kWidth) {
-            sums[i / kWidth] += load(a + k + i) * row(at, slot, i);
-        }
-    }
-    return sum_of(sums);
-}
-
-double sum2(const Modes& bank, Slot slot, const double* a, const double* b) {
-    Vector sums[kVectors] = {};
-    for (std::size_t k = 0; k < bank.size; k += kGroup) {
-        const double* const at = record(bank, k);
-        for (std::size_t i = 0; i < kGroup; i += kWidth) {
-            sums[i / kWidth] += load(a + k + i) * load(b + k + i) * row(at, slot, i);
+            sums[i / kWidth] += load(a + k + i) * row(at, kQ, i);
         }
     }
     return sum_of(sums);
@@ -219,9 +185,11 @@ double read(const Modes& bank, const double* a, const double* b) {
     return sum_of(of_q);
 }
 
-/// Four recurrences stay in registers for all samples; each sample's sum waits in memory.
-void ring(const Modes& bank, const double* weights_q, const double* weights_y, double* sums,
-          std::size_t samples) {
+/// Four recurrences stay in registers for all samples; each sample's sum waits in memory. They
+/// begin with the motion there is, or with what 1 N shared out by phi makes of rest.
+template <bool answering, bool two>
+PERCUSSIONIST_INLINE void recur(const Modes& bank, const double* phi, const double* weights_q,
+                                const double* weights_y, double* sums, std::size_t samples) {
     constexpr std::size_t kAtOnce = kGroup / 4;
     for (std::size_t k = 0; k < bank.size; k += kGroup) {
         const double* const at = record(bank, k);
@@ -229,17 +197,28 @@ void ring(const Modes& bank, const double* weights_q, const double* weights_y, d
             Vector last[kAtOnce], now[kAtOnce], a[kAtOnce], b[kAtOnce];
             for (std::size_t i = 0; i < kAtOnce; ++i) {
                 const std::size_t j = 4 * i + p * kWidth;
-                const Vector q = row(at, kQ, j), y = row(at, kY, j);
+                Vector q = row(at, answering ? kToQ : kQ, j), y = row(at, answering ? kToY : kY, j);
+                if (answering) {
+                    const Vector shape = load(phi + k + j);
+                    q *= shape;
+                    y *= shape;
+                }
                 const Vector c = row(at, kCos, j), s = row(at, kSin, j);
-                const Vector of_q = load(weights_q + k + j), of_y = load(weights_y + k + j);
-                last[i] = of_q * q + of_y * y;
-                now[i] = of_q * (c * q + s * y) + of_y * (c * y - s * q);
+                const Vector of_q = load(weights_q + k + j);
+                last[i] = of_q * q;
+                now[i] = of_q * (c * q + s * y);
+                if (two) {
+                    const Vector of_y = load(weights_y + k + j);
+                    last[i] += of_y * y;
+                    now[i] += of_y * (c * y - s * q);
+                }
                 a[i] = c + c;
                 b[i] = c * c + s * s;
             }
             double* sum = sums + p * kWidth;
             for (std::size_t n = 0; n < samples; ++n, sum += 4) {
-                store(sum, load(sum) + ((now[0] + now[1]) + (now[2] + now[3])));
+                const Vector* const out = answering ? last : now;
+                store(sum, load(sum) + ((out[0] + out[1]) + (out[2] + out[3])));
                 for (std::size_t i = 0; i < kAtOnce; ++i) {
                     const Vector next = a[i] * now[i] - b[i] * last[i];
                     last[i] = now[i];
@@ -250,8 +229,42 @@ void ring(const Modes& bank, const double* weights_q, const double* weights_y, d
     }
 }
 
-constexpr ModeLoops kLoops{push,       swing, push_and_swing, touch, swing_about, turn,
-                           turn_chunk, sum,   sum2,           read,  ring};
+void ring(const Modes& bank, const double* weights_q, const double* weights_y, double* sums,
+          std::size_t samples) {
+    if (weights_y) {
+        recur<false, true>(bank, nullptr, weights_q, weights_y, sums, samples);
+    } else {
+        recur<false, false>(bank, nullptr, weights_q, nullptr, sums, samples);
+    }
+}
+
+void respond(const Modes& bank, const double* phi, const double* weights_q, const double* weights_y,
+             double* sums, std::size_t samples) {
+    if (weights_y) {
+        recur<true, true>(bank, phi, weights_q, weights_y, sums, samples);
+    } else {
+        recur<true, false>(bank, phi, weights_q, nullptr, sums, samples);
+    }
+}
+
+double respond_once(const Modes& bank, const double* phi, const double* weights_q,
+                    const double* weights_y) {
+    Vector sums[kVectors] = {};
+    for (std::size_t k = 0; k < bank.size; k += kGroup) {
+        const double* const at = record(bank, k);
+        for (std::size_t i = 0; i < kGroup; i += kWidth) {
+            Vector reading = load(weights_q + k + i) * row(at, kToQ, i);
+            if (weights_y) {
+                reading += load(weights_y + k + i) * row(at, kToY, i);
+            }
+            sums[i / kWidth] += load(phi + k + i) * reading;
+        }
+    }
+    return sum_of(sums);
+}
+
+constexpr ModeLoops kLoops{give, give_once, swing_about, turn,    turn_by,
+                           sum,  read,      ring,        respond, respond_once};
 
 }  // namespace
 

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "core/modal/decay.hpp"
 
@@ -18,8 +20,9 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-/// Of the bands [Hz]: the shorter the filter, the sooner it is past the stroke.
-constexpr double kBandWidth = 240.0;
+/// Of the bands [Hz]: the wider, the fewer modes can be told apart in one, and the shorter the
+/// filter, which takes its length off the recordings.
+constexpr double kBandWidths[] = {240.0, 480.0};
 constexpr double kLongestT60 = 30.0;   // [s]
 constexpr double kShortestT60 = 0.02;  // [s]
 /// Two found closer than this part of their frequency, and their bandwidths, are one.
@@ -70,28 +73,35 @@ std::vector<std::span<const double>> ringing(std::span<const Hit> hits,
     return parts;
 }
 
+/// The decaying sines of one band, with frequencies from `low` up to `high`.
+std::vector<DecayingSine> sines_of(std::span<const std::span<const double>> parts,
+                                   const BandFilter& filter, double centre, double low,
+                                   double high) {
+    std::vector<SubBand> bands;
+    for (const auto& part : parts) {
+        bands.push_back(filter.apply(part, centre));
+    }
+    auto found = decaying_sines(bands, filter.width());
+    std::erase_if(found, [&](const DecayingSine& sine) {
+        const bool sounds =
+            sine.loss < loss_of_t60(kShortestT60) && sine.loss > loss_of_t60(kLongestT60);
+        return !sounds || sine.frequency < low || sine.frequency > high;
+    });
+    return found;
+}
+
 std::vector<DecayingSine> all_sines(std::span<const std::span<const double>> parts,
-                                    double sample_rate, const HitAnalysis& analysis) {
-    const BandFilter filter(sample_rate, kBandWidth);
+                                    double sample_rate, const HitAnalysis& analysis, double width) {
+    const BandFilter filter(sample_rate, width);
     const double high = std::min(analysis.high, 0.45 * sample_rate);
     std::vector<DecayingSine> found;
-    for (double centre = analysis.low; centre < high + kBandWidth / 2; centre += kBandWidth / 2) {
-        std::vector<SubBand> bands;
-        for (const auto& part : parts) {
-            bands.push_back(filter.apply(part, centre));
-        }
-        for (const auto& sine : decaying_sines(bands, kBandWidth)) {
-            // Bands overlap: each keeps its middle half.
-            const bool mine = std::abs(sine.frequency - centre) <= kBandWidth / 4;
-            const bool sounds =
-                sine.loss < loss_of_t60(kShortestT60) && sine.loss > loss_of_t60(kLongestT60);
-            if (mine && sounds && sine.frequency >= analysis.low && sine.frequency <= high) {
-                found.push_back(sine);
-            }
-        }
+    for (double centre = analysis.low; centre < high + width / 2; centre += width / 2) {
+        // Bands overlap: each keeps its middle half.
+        const auto sines =
+            sines_of(parts, filter, centre, std::max(analysis.low, centre - width / 4),
+                     std::min(high, centre + width / 4));
+        found.insert(found.end(), sines.begin(), sines.end());
     }
-    std::sort(found.begin(), found.end(),
-              [](const auto& a, const auto& b) { return a.frequency < b.frequency; });
     return found;
 }
 
@@ -160,6 +170,53 @@ std::vector<DecayingSine> significant(const std::vector<DecayingSine>& sines,
     std::sort(kept.begin(), kept.end(),
               [](const auto& a, const auto& b) { return a.frequency < b.frequency; });
     return kept;
+}
+
+/// Power up to `high` [Hz], by the filter that passes it.
+double power(std::span<const double> signal, const BandFilter& filter) {
+    // Between silences as long as the filter: all of it counts, the loud beginning most.
+    std::vector<double> padded(signal.size() + 2 * filter.length(), 0.0);
+    std::copy(signal.begin(), signal.end(), padded.begin() + static_cast<long>(filter.length()));
+    double sum = 0.0;
+    for (const Complex x : filter.apply(padded, 0.0).samples) {
+        sum += std::norm(x);
+    }
+    return sum;
+}
+
+/// How much of the recordings the sines do not explain: power over all, up to `high` [Hz].
+std::vector<double> left_of(std::span<const DecayingSine> sines,
+                            std::span<const std::span<const double>> parts, double sample_rate,
+                            double high) {
+    const BandFilter filter(sample_rate, std::min(2 * high, 0.9 * sample_rate));
+    const auto all = fit(sines, parts, sample_rate);
+    std::vector<double> left;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        auto rest = resynthesis(sines, all[i], parts[i].size(), sample_rate);
+        std::transform(parts[i].begin(), parts[i].end(), rest.begin(), rest.begin(),
+                       std::minus<>());
+        const double whole = power(parts[i], filter);
+        left.push_back(whole > 0.0 ? power(rest, filter) / whole : 1.0);
+    }
+    return left;
+}
+
+/// Modes found in bands of one width or another, whichever explain the recordings best.
+std::vector<DecayingSine> best_sines(std::span<const std::span<const double>> parts,
+                                     double sample_rate, const HitAnalysis& analysis) {
+    std::vector<DecayingSine> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double width : kBandWidths) {
+        auto kept = significant(all_sines(parts, sample_rate, analysis, width), parts, sample_rate,
+                                analysis.most);
+        const auto left = left_of(kept, parts, sample_rate, analysis.high);
+        const double sum = std::accumulate(left.begin(), left.end(), 0.0);
+        if (sum < least) {
+            best = std::move(kept);
+            least = sum;
+        }
+    }
+    return best;
 }
 
 /// By how much later a hit's stroke began than another's [s]: the shift that makes phases alike but
@@ -271,22 +328,14 @@ MeasuredModes modes_of_hits(std::span<const Hit> hits, double sample_rate,
         measured.begins.push_back(stroke_begin(hit.samples, sample_rate));
     }
     const auto parts = ringing(hits, measured.begins, sample_rate, analysis);
-    measured.sines =
-        significant(all_sines(parts, sample_rate, analysis), parts, sample_rate, analysis.most);
+    measured.sines = best_sines(parts, sample_rate, analysis);
     if (measured.sines.empty()) {
         throw std::invalid_argument("modes: none found from " + std::to_string(analysis.low) +
                                     " to " + std::to_string(analysis.high) + " Hz");
     }
     measured.amplitudes = fit(measured.sines, parts, sample_rate);
+    measured.left = left_of(measured.sines, parts, sample_rate, analysis.high);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const auto sum =
-            resynthesis(measured.sines, measured.amplitudes[i], parts[i].size(), sample_rate);
-        double whole = 0.0, rest = 0.0;
-        for (std::size_t n = 0; n < sum.size(); ++n) {
-            whole += parts[i][n] * parts[i][n];
-            rest += (parts[i][n] - sum[n]) * (parts[i][n] - sum[n]);
-        }
-        measured.left.push_back(whole > 0.0 ? rest / whole : 1.0);
         // Back to the stroke.
         const double back = -std::floor(analysis.skip * sample_rate) / sample_rate;
         for (std::size_t k = 0; k < measured.sines.size(); ++k) {

@@ -16,6 +16,10 @@ constexpr double kBand = 0.95;
 /// Of the tension: a hundredth of a cent in pitch.
 constexpr double kUnheard = 1.2e-5;
 
+/// Each pace's steps to one of the pace before; three paces: down to 1/256 of a sample.
+constexpr double kFiner = static_cast<double>(Foresight::kSpan);
+constexpr int kPaces = 3;
+
 double valid_rate(double sample_rate) {
     if (!(std::isfinite(sample_rate) && sample_rate > 0.0)) {
         throw std::invalid_argument("struck head: expected a sample rate above 0 [Hz], got " +
@@ -40,15 +44,19 @@ double held_within(double value, double limit) {
 
 StruckHead::StruckHead(Resonator resonator, double sample_rate)
     : sample_rate_(valid_rate(sample_rate)),
-      period_(1.0 / sample_rate),
       resonator_(std::move(resonator)),
-      bank_(resonator_.size(), period_) {
-    set_bank();
+      reserve_(kFullReserve) {
+    double period = 1.0 / sample_rate;
+    while (paces_.size() < kPaces) {
+        paces_.emplace_back(resonator_.size(), period);
+        period /= kFiner;
+    }
+    set_modes();
     for (auto& port : ports_) {
-        port.phi.assign(bank_.padded(), 0.0);
+        port.phi.assign(bank().padded(), 0.0);
     }
     std::for_each_n(ports_.begin(), kMaxStrikers, [](Port& port) { port.used = true; });
-    slope_weights_.assign(bank_.padded(), 0.0);
+    slope_weights_.assign(bank().padded(), 0.0);
     refresh(true);
 }
 
@@ -57,52 +65,62 @@ bool StruckHead::retune(const Body& body, const Loss& loss) {
     if (!resonator_.retune(body, loss)) {
         return false;
     }
-    bank();
-    set_bank();
+    set_modes();
     refresh(resonator_.radius() != radius);
     return true;
 }
 
 void StruckHead::become(Resonator resonator, long first) {
-    ModeBank other(resonator.size(), period_);
-    bank();
+    const ModeBank before = std::move(bank());
     resonator_ = std::move(resonator);
-    std::swap(bank_, other);
-    set_bank();
-    bank_.continue_from(other, first);
-    for (auto& port : ports_) {
-        port.phi.assign(bank_.padded(), 0.0);
+    for (Pace& pace : paces_) {
+        pace = Pace(resonator_.size(), pace.period);
     }
-    slope_weights_.assign(bank_.padded(), 0.0);
+    set_modes();
+    bank().continue_from(before, first);
+    for (auto& port : ports_) {
+        port.phi.assign(bank().padded(), 0.0);
+    }
+    slope_weights_.assign(bank().padded(), 0.0);
     pickups_.fill({});
     refresh(true);
 }
 
 void StruckHead::damp(double least_loss) noexcept {
     least_loss_ = least_loss;
-    bank();
-    set_bank();
-    for (std::size_t p = 0; p < kPorts; ++p) {
-        couple(p);
-    }
+    set_modes();
 }
 
 void StruckHead::settle() noexcept {
     for (auto& port : ports_) {
         if (port.used) {
-            port.displacement = bank_.displacement(port.phi);
+            port.displacement = bank().displacement(port.phi);
         }
     }
     spring_[kTension].elongation = stretches_ ? stretch_of_modes() : 0.0;
 }
 
-void StruckHead::set_bank() noexcept {
+/// The modes of the sample's bank; the others follow when they are needed.
+void StruckHead::set_modes() noexcept {
+    ModeBank& modes = bank();
+    const double period = paces_.front().period;
     for (std::size_t k = 0; k < resonator_.size(); ++k) {
         auto mode = resonator_.mode(k);
-        const bool heard = mode.angular_frequency * period_ < kBand * std::numbers::pi;
+        const bool heard = mode.angular_frequency * period < kBand * std::numbers::pi;
         mode.loss = std::max(mode.loss, std::min(least_loss_, 0.9 * mode.angular_frequency));
         mode.angular_frequency = heard ? mode.angular_frequency : 0.0;
-        bank_.set(k, mode);
+        modes.set(k, mode);
+    }
+    for (Pace& pace : paces_) {
+        pace.modes_stale = true;
+        pace.sight.forget();
+    }
+    stale_springs();
+}
+
+void StruckHead::stale_springs() noexcept {
+    for (Pace& pace : paces_) {
+        pace.springs_stale = true;
     }
 }
 
@@ -114,7 +132,7 @@ void StruckHead::refresh(bool other_shapes) {
         const double area = std::numbers::pi * membrane->radius * membrane->radius;
         const double b = 0.5 * std::sqrt(membrane->stretch / area);
         for (std::size_t k = 0; k < resonator_.size(); ++k) {
-            const bool heard = bank_.mode(k).angular_frequency > 0.0;
+            const bool heard = bank().mode(k).angular_frequency > 0.0;
             slope_weights_[k] = heard ? b * resonator_.slope(k) : 0.0;
         }
     }
@@ -125,21 +143,17 @@ void StruckHead::refresh(bool other_shapes) {
             put(p, ports_[p].spot);
         }
     }
-    for (std::size_t p = 0; p < kPorts; ++p) {
-        couple(p);
-    }
+    stale_springs();
 }
 
 void StruckHead::place(std::size_t i, double r, double theta) {
     check_place(i, r, theta);
     put(i, {r, theta, 0.0});
-    couple(i);
 }
 
 void StruckHead::place_force(double r, double theta) {
     check_place(0, r, theta);
     put(kForce, {r, theta, 0.0});
-    couple(kForce);
 }
 
 void StruckHead::lay(std::size_t i, const Hand& hand) {
@@ -148,6 +162,7 @@ void StruckHead::lay(std::size_t i, const Hand& hand) {
         throw std::invalid_argument("hand: expected one of " + std::to_string(kMaxHands) +
                                     ", got " + std::to_string(i + 1));
     }
+    bank();
     const HandPoints points = points_of(hand);
     for (std::size_t n = 0; n < HandPoints::kMost; ++n) {
         const std::size_t p = kHandPorts + i * HandPoints::kMost + n;
@@ -163,47 +178,36 @@ void StruckHead::lay(std::size_t i, const Hand& hand) {
         ports_[p].used = presses;
         if (presses) {
             put(p, points.spots[n]);
-            couple(p);
         }
         spring.elongation = held_within(ports_[p].displacement, stored);
     }
-    springs_stale_ = true;
+    stale_springs();
 }
 
 void StruckHead::listen(std::size_t i, const ModeBank::Weights& weights) {
-    Pickup& pickup = pickups_.at(i);
-    pickup.weights = weights;
-    early_.there = false;
-    for (std::size_t p = 0; p < kPorts; ++p) {
-        pickup.response[p] = ports_[p].used ? bank_.response(weights, ports_[p].phi) : 0.0;
+    bank();
+    pickups_.at(i) = weights;
+    for (Pace& pace : paces_) {
+        pace.sight.forget_output(kPorts + i);
     }
 }
 
 void StruckHead::put(std::size_t p, const Spot& spot) {
-    apply_pushes();
     Port& port = ports_[p];
     port.spot = spot;
     port.used = true;
+    const ModeBank& modes = bank();
     resonator_.shapes(spot, port.phi);
-    port.displacement = bank_.displacement(port.phi);
+    port.displacement = modes.displacement(port.phi);
+    forget(p);
 }
 
-/// What a port's force does at all others in use, and at the pickups.
-void StruckHead::couple(std::size_t p) noexcept {
-    springs_stale_ = true;
-    if (!ports_[p].used || p == kTension) {
-        return;
-    }
-    for (std::size_t other = 0; other < kPorts; ++other) {
-        if (ports_[other].used && other != kTension) {
-            compliance_[p][other] = compliance_[other][p] =
-                bank_.compliance(ports_[p].phi, ports_[other].phi);
-        }
-    }
-    for (auto& pickup : pickups_) {
-        if (!pickup.weights.q.empty()) {
-            pickup.response[p] = bank_.response(pickup.weights, ports_[p].phi);
-        }
+/// What its force does is to be found anew, and what forces do there.
+void StruckHead::forget(std::size_t p) noexcept {
+    for (Pace& pace : paces_) {
+        pace.sight.forget_input(p);
+        pace.sight.forget_output(p);
+        pace.springs_stale = true;
     }
 }
 
@@ -225,15 +229,14 @@ bool StruckHead::coupled() const noexcept {
 }
 
 Values StruckHead::shapes(double r, double theta) const {
-    Values values(bank_.padded(), 0.0);
+    Values values(bank().padded(), 0.0);
     resonator_.shapes({r, theta, 0.0}, values);
     return values;
 }
 
 ModeBank& StruckHead::bank() noexcept {
-    apply_pushes();
-    early_.there = false;
-    return bank_;
+    land(paces_.front());
+    return paces_.front().bank;
 }
 
 double StruckHead::energy(std::span<const Striker> strikers) const noexcept {
@@ -252,8 +255,7 @@ double StruckHead::energy(std::span<const Striker> strikers) const noexcept {
 }
 
 void StruckHead::rest() noexcept {
-    push_count_ = 0;
-    bank_.rest();
+    bank().rest();
     for (auto& port : ports_) {
         port.displacement = port.rate = 0.0;
     }
@@ -263,16 +265,10 @@ void StruckHead::rest() noexcept {
 }
 
 void StruckHead::exchange(std::size_t i, std::size_t j) noexcept {
-    apply_pushes();
+    bank();
     std::swap(ports_[i], ports_[j]);
-    std::swap(compliance_[i], compliance_[j]);
-    for (auto& row : compliance_) {
-        std::swap(row[i], row[j]);
-    }
-    for (auto& pickup : pickups_) {
-        std::swap(pickup.response[i], pickup.response[j]);
-    }
-    springs_stale_ = true;
+    forget(i);
+    forget(j);
 }
 
 }  // namespace percussionist::modal

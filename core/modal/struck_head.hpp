@@ -11,10 +11,18 @@
 // shares the force out and reads the displacement back, so that what A feels of B is what B feels
 // of A.
 //
+// Samples are taken in spans (foresight.hpp): in each the modes are moved once. What bodies do to
+// each other within a sample is the same for all paces at which it is stepped: where a lossy mallet
+// turns around so quickly that one sample does not tell what its felt has taken, this sample is
+// made of sixteen shorter ones, and such a one again, by banks of the same modes with shorter
+// periods. A reserve of a dozen such samples, filled up by one in 32 samples, bounds what that
+// costs.
+//
 // A membrane that stretches (Membrane::stretch) pulls itself back by one more spring, of elongation
 // psi = B sum l q^2, l the integral of |grad phi|^2, with the shape d psi / d q at the middle of
 // the sample's free motion: Berger's potential psi^2 / 2 = S / (8 A) (integral of |grad u|^2)^2,
-// made quadratic in psi so that it stays passive at any loudness.
+// made quadratic in psi so that it stays passive at any loudness. Its shape being another each
+// sample, it is stepped sample by sample, and never at a shorter period.
 //
 // Frame: along the head's normal, z > 0 above the head on the striker's side, the head at rest at
 // 0. A striker touches where z is below the head's displacement at its place. Beyond the rim the
@@ -30,6 +38,7 @@
 #include <span>
 #include <vector>
 
+#include "core/modal/foresight.hpp"
 #include "core/modal/hand.hpp"
 #include "core/modal/mallet.hpp"
 #include "core/modal/mode_bank.hpp"
@@ -47,7 +56,8 @@ struct Striker {
     double acceleration = 0.0;  ///< from all but the head, such as gravity and the hand [m/s^2]
     double force = 0.0;         ///< of the head on the striker, during the last sample [N]
     bool stuck = false;         ///< to a sticky head
-    double force_before = 0.0;  ///< in the sample before: where the next is sought from [N]
+    /// In the two steps before: where the next is sought from [N].
+    std::array<double, 2> forces_before{};
 };
 
 constexpr double kDriven = std::numeric_limits<double>::infinity();
@@ -120,6 +130,8 @@ class StruckHead {
     static constexpr std::size_t kTension = kHandPorts + kMaxHands * HandPoints::kMost;
     static constexpr std::size_t kForce = kTension + 1;
     static constexpr std::size_t kPorts = kForce + 1;
+    static constexpr int kRefined = 32;  // samples that pay for a refined step
+    static constexpr int kFullReserve = 12 * kRefined;
 
     /// Where something acts on the head: phi of every mode, and the head's displacement with and
     /// without the coming sample's forces.
@@ -131,56 +143,63 @@ class StruckHead {
         bool used = false;
         Values phi;
     };
-    struct Pickup {
-        ModeBank::Weights weights;
-        std::array<double, kPorts> response{};  ///< to 1 N at a port during one sample
-    };
-    /// Of the first pickup, already read while the bank swung.
-    struct EarlyReading {
-        double value = 0.0;
-        bool there = false;
+    /// All that is another for steps of another length.
+    struct Pace {
+        Pace(std::size_t modes, double step) : period(step), bank(modes, step) {}
+
+        double period;  ///< [s]
+        ModeBank bank;
+        Foresight sight{kPorts, kPorts + kMaxPickups};
+        std::size_t strikers = 0;  ///< foreseen
+        Springs springs;
+        std::array<Springs::Row, kMaxStrikers> taken{};  ///< of each striker's force, by springs
+        bool springs_stale = true;
+        bool modes_stale = true;
     };
 
-    void set_bank() noexcept;
+    void set_modes() noexcept;
     void refresh(bool other_shapes);
     void put(std::size_t port, const Spot& spot);
-    void couple(std::size_t port) noexcept;
-    void apply_pushes() noexcept;
-    void swing_freely(std::size_t strikers, double force) noexcept;
-    void list_springs() noexcept;
-    void condense(std::size_t strikers) noexcept;
-    void find_forces(std::span<Striker> strikers) noexcept;
-    void answer(std::span<Striker> strikers) noexcept;
-    void push_at(std::size_t port, double force) noexcept;
+    void forget(std::size_t port) noexcept;
+    void stale_springs() noexcept;
     double stretch_of_modes() const noexcept;
 
+    void land(Pace& pace) noexcept;
+    void step_at(std::size_t pace, std::span<Striker> strikers, double force) noexcept;
+    bool refine(std::size_t pace, std::span<Striker> strikers, double force) noexcept;
+    void read_directly(std::span<const Striker> strikers, double force) noexcept;
+    void foresee(Pace& pace, std::size_t strikers) noexcept;
+    const Foresight::Course& answer(Pace& pace, std::size_t port, std::size_t output) noexcept;
+    double compliance(Pace& pace, std::size_t port, std::size_t other) noexcept {
+        return answer(pace, port, other)[0];
+    }
+    void push_at(Pace& pace, std::size_t port, double force) noexcept;
+    void list_springs(const Pace& pace) noexcept;
+    void factor_springs(Pace& pace, std::size_t strikers) noexcept;
+    void condense(Pace& pace, std::size_t strikers) noexcept;
+    bool find_forces(const Pace& pace, std::span<Striker> strikers) noexcept;
+    void move(Pace& pace, std::span<Striker> strikers) noexcept;
+
     double sample_rate_;
-    double period_;
     double least_loss_ = 0.0;
     Resonator resonator_;
-    ModeBank bank_;
+    std::vector<Pace> paces_;  // the first is the sample's
     std::array<Port, kPorts> ports_;
-    // Displacement at one port that a force of 1 N at another makes within one sample [m/N].
-    std::array<std::array<double, kPorts>, kPorts> compliance_{};
-    std::array<Pickup, kMaxPickups> pickups_;
-    EarlyReading early_;
+    std::array<ModeBank::Weights, kMaxPickups> pickups_;
+    std::array<double, kMaxPickups> direct_{};  // of a refined sample
+    int reserve_;                               // of refined steps, in samples
 
     // The linear contacts: hands' points, and the tension.
     std::array<Spring, kPorts> spring_{};  // by port
     std::array<std::size_t, Springs::kMost> sprung_{};
     std::size_t sprung_count_ = 0;
-    Springs springs_;
-    Springs::Row still_{};                            // forces, were no striker there
-    std::array<Springs::Row, kMaxStrikers> taken_{};  // of each striker's force, by springs
-    std::array<std::array<double, kMaxStrikers>, kMaxStrikers> condensed_{};
-    bool springs_stale_ = true;
+    Springs::Row still_{};  // forces, were no striker there
     Values slope_weights_;  // B l of every mode
     bool stretches_ = false;
 
-    // Forces of the last sample, not yet given to the bank.
-    std::array<ModeBank::Push, kPorts> pushes_{};
-    std::array<std::size_t, kPorts> pushed_{};
-    std::size_t push_count_ = 0;
+    // Displacement at one striker that a force of 1 N at another makes within the step, hands and
+    // tension answering [m/N].
+    std::array<std::array<double, kMaxStrikers>, kMaxStrikers> condensed_{};
 };
 
 }  // namespace percussionist::modal

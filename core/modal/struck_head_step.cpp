@@ -1,4 +1,4 @@
-// One sample of a struck head: swing, find all forces, answer them.
+// One step of a struck head: foresee, find all forces, move.
 #include <algorithm>
 #include <cmath>
 
@@ -11,72 +11,46 @@ namespace {
 /// Coordinate descent on a convex function: it always converges; this many sweeps are never needed.
 constexpr int kMostSweeps = 50;
 
+/// How hard a spring holds within a step.
+double hold_of(const Spring& spring, double period) {
+    return 0.5 * spring.stiffness + spring.resistance / period;
+}
+
 }  // namespace
 
 void StruckHead::step(std::span<Striker> strikers, double force) noexcept {
-    const auto acting = strikers.first(std::min(strikers.size(), kMaxStrikers));
-    swing_freely(acting.size(), force);
-    list_springs();
-    if (sprung_count_ > 0) {
-        condense(acting.size());
-    } else {
-        for (std::size_t i = 0; i < acting.size(); ++i) {
-            std::copy_n(compliance_[i].begin(), acting.size(), condensed_[i].begin());
-        }
-    }
-    find_forces(acting);
-    answer(acting);
+    reserve_ = std::min(reserve_ + 1, kFullReserve);
+    direct_.fill(0.0);
+    step_at(0, strikers.first(std::min(strikers.size(), kMaxStrikers)), force);
 }
 
-/// To where the sample's end would be without the forces it is to find.
-void StruckHead::swing_freely(std::size_t strikers, double force) noexcept {
-    const std::span pushes(pushes_.data(), push_count_);
-    early_.there = false;
-    if (stretches_) {
-        Port& tension = ports_[kTension];
-        const auto swung = bank_.swing_about(pushes, ports_[0].phi, slope_weights_, tension.phi);
-        ports_[0].free = swung.displacement;
-        tension.displacement = 0.0;
-        tension.free = swung.moved;
-    } else if (push_count_ == 1 && pushed_[0] == 0 && !pickups_[0].weights.q.empty()) {
-        ports_[0].free =
-            bank_.touch(pushes[0].force, ports_[0].phi, pickups_[0].weights, early_.value);
-        early_.there = true;
-    } else {
-        ports_[0].free = bank_.swing(pushes, ports_[0].phi);
+void StruckHead::step_at(std::size_t at, std::span<Striker> strikers, double force) noexcept {
+    Pace& pace = paces_[at];
+    foresee(pace, strikers.size());
+    const bool forced = force != 0.0 && ports_[kForce].used;
+    if (forced) {
+        push_at(pace, kForce, force);
     }
-    push_count_ = 0;
-    for (std::size_t p = 1; p < kTension; ++p) {
-        if (p < kMaxStrikers ? p < strikers : ports_[p].used) {
-            ports_[p].free = bank_.displacement(ports_[p].phi);
+    for (const std::size_t output : pace.sight.watched()) {
+        if (output < kPorts) {
+            ports_[output].free = pace.sight.coming(output);
         }
     }
-    if (force != 0.0 && ports_[kForce].used) {
-        push_at(kForce, force);
-        for (std::size_t p = 0; p < kTension; ++p) {
-            ports_[p].free += compliance_[p][kForce] * force;
-        }
-        if (stretches_) {
-            ports_[kTension].free +=
-                force * bank_.compliance(ports_[kTension].phi, ports_[kForce].phi);
-        }
+    if (forced && stretches_) {
+        ports_[kTension].free += force * compliance(pace, kTension, kForce);
     }
+    list_springs(pace);
+    condense(pace, strikers.size());
+    if (find_forces(pace, strikers) && refine(at, strikers, force)) {
+        return;
+    }
+    move(pace, strikers);
+    pace.sight.pass();
 }
 
-void StruckHead::push_at(std::size_t port, double force) noexcept {
-    pushes_[push_count_] = {force, ports_[port].phi.data()};
-    pushed_[push_count_++] = port;
-}
-
-void StruckHead::apply_pushes() noexcept {
-    early_.there = early_.there && push_count_ == 0;
-    bank_.push({pushes_.data(), push_count_});
-    push_count_ = 0;
-}
-
-/// Which linear contacts act, and whether they are others than before.
-void StruckHead::list_springs() noexcept {
-    if (!springs_stale_ && !stretches_) {
+/// Which linear contacts act.
+void StruckHead::list_springs(const Pace& pace) noexcept {
+    if (!pace.springs_stale && !stretches_) {
         return;
     }
     sprung_count_ = 0;
@@ -87,65 +61,62 @@ void StruckHead::list_springs() noexcept {
     }
 }
 
-/// The head as the strikers find it, hands and tension answering of themselves.
-void StruckHead::condense(std::size_t strikers) noexcept {
+void StruckHead::factor_springs(Pace& pace, std::size_t strikers) noexcept {
     const std::size_t n = sprung_count_;
-    const auto hold = [&](std::size_t i) {
-        const Spring& spring = spring_[sprung_[i]];
-        return 0.5 * spring.stiffness + spring.resistance / period_;
-    };
-    if (stretches_) {
-        for (std::size_t p = 0; p <= kTension; ++p) {
-            const bool acts = p < kMaxStrikers ? p < strikers : ports_[p].used || p == kTension;
-            if (acts) {
-                compliance_[p][kTension] = compliance_[kTension][p] =
-                    bank_.compliance(ports_[p].phi, ports_[kTension].phi);
-            }
+    std::array<Springs::Row, Springs::kMost> among{};
+    Springs::Row holds{};
+    for (std::size_t i = 0; i < n; ++i) {
+        holds[i] = hold_of(spring_[sprung_[i]], pace.period);
+        for (std::size_t j = 0; j < n; ++j) {
+            among[i][j] = compliance(pace, sprung_[i], sprung_[j]);
         }
     }
-    if (springs_stale_ || stretches_) {
-        std::array<Springs::Row, Springs::kMost> among{};
-        Springs::Row holds{};
+    pace.springs.factor(n, among, holds);
+    for (std::size_t s = 0; s < strikers; ++s) {
         for (std::size_t i = 0; i < n; ++i) {
-            holds[i] = hold(i);
-            for (std::size_t j = 0; j < n; ++j) {
-                among[i][j] = compliance_[sprung_[i]][sprung_[j]];
-            }
+            pace.taken[s][i] = compliance(pace, s, sprung_[i]);
         }
-        springs_.factor(n, among, holds);
-        for (std::size_t s = 0; s < kMaxStrikers; ++s) {
-            for (std::size_t i = 0; i < n; ++i) {
-                taken_[s][i] = ports_[s].used ? compliance_[sprung_[i]][s] : 0.0;
-            }
-            springs_.solve(taken_[s]);
-        }
-        springs_stale_ = false;
+        pace.springs.solve(pace.taken[s]);
     }
+}
+
+/// The head as the strikers find it, hands and tension answering of themselves.
+void StruckHead::condense(Pace& pace, std::size_t strikers) noexcept {
+    const std::size_t n = sprung_count_;
+    if (n > 0 && (pace.springs_stale || stretches_)) {
+        factor_springs(pace, strikers);
+    }
+    pace.springs_stale = false;
     for (std::size_t i = 0; i < n; ++i) {
         const Port& port = ports_[sprung_[i]];
         const Spring& spring = spring_[sprung_[i]];
-        still_[i] = port.free - port.displacement + spring.stiffness * spring.elongation / hold(i);
+        still_[i] = port.free - port.displacement +
+                    spring.stiffness * spring.elongation / hold_of(spring, pace.period);
     }
-    springs_.solve(still_);
+    pace.springs.solve(still_);
     for (std::size_t s = 0; s < strikers; ++s) {
         for (std::size_t i = 0; i < n; ++i) {
-            ports_[s].free -= compliance_[s][sprung_[i]] * still_[i];
+            ports_[s].free -= compliance(pace, s, sprung_[i]) * still_[i];
         }
         for (std::size_t t = 0; t < strikers; ++t) {
-            condensed_[s][t] = compliance_[s][t];
+            condensed_[s][t] = compliance(pace, s, t);
             for (std::size_t i = 0; i < n; ++i) {
-                condensed_[s][t] -= compliance_[s][sprung_[i]] * taken_[t][i];
+                condensed_[s][t] -= compliance(pace, s, sprung_[i]) * pace.taken[t][i];
             }
         }
     }
 }
 
-void StruckHead::find_forces(std::span<Striker> strikers) noexcept {
+/// Answers whether a mallet turns around too quickly for a step of this length.
+bool StruckHead::find_forces(const Pace& pace, std::span<Striker> strikers) noexcept {
     const std::size_t n = strikers.size();
-    const double half_square = 0.5 * period_ * period_;
+    const double period = pace.period;
+    const double half_square = 0.5 * period * period;
+    bool hasty = false;
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
         double change = 0.0;
         double greatest = 0.0;
+        hasty = false;
         for (std::size_t i = 0; i < n; ++i) {
             Striker& striker = strikers[i];
             const Port& port = ports_[i];
@@ -156,43 +127,47 @@ void StruckHead::find_forces(std::span<Striker> strikers) noexcept {
             const ContactStep contact{
                 .compression = port.displacement - striker.position,
                 .free_change =
-                    head - period_ * striker.velocity - half_square * striker.acceleration,
+                    head - period * striker.velocity - half_square * striker.acceleration,
                 .compliance = condensed_[i][i] + half_square / striker.mallet.mass,
-                .duration = period_,
+                .duration = period,
                 .rate = port.rate - striker.velocity,
                 .stuck = striker.stuck};
-            const double guess =
-                sweep == 0 ? 2 * striker.force - striker.force_before : striker.force;
+            double guess = striker.force;
             if (sweep == 0) {
-                striker.force_before = striker.force;
+                guess += 2 * (striker.force - striker.forces_before[0]) -
+                         (striker.forces_before[0] - striker.forces_before[1]);
+                striker.forces_before = {striker.force, striker.forces_before[0]};
             }
             const double force = contact_force(striker.mallet, contact, std::max(guess, 0.0));
             change = std::max(change, std::abs(force - striker.force));
             greatest = std::max(greatest, std::abs(force));
             striker.force = force;
+            hasty = hasty || turns_hastily(striker.mallet, contact, force);
         }
         if (n == 1 || !(change > 1e-14 * greatest)) {
             break;
         }
     }
+    return hasty;
 }
 
 /// Everything moves as the forces want it.
-void StruckHead::answer(std::span<Striker> strikers) noexcept {
+void StruckHead::move(Pace& pace, std::span<Striker> strikers) noexcept {
     const std::size_t n = strikers.size();
+    const double period = pace.period;
     for (std::size_t i = 0; i < n; ++i) {
         Striker& striker = strikers[i];
         const double acceleration = striker.acceleration + striker.force / striker.mallet.mass;
-        striker.position += period_ * (striker.velocity + 0.5 * period_ * acceleration);
-        striker.velocity += period_ * acceleration;
+        striker.position += period * (striker.velocity + 0.5 * period * acceleration);
+        striker.velocity += period * acceleration;
         if (striker.force != 0.0) {
-            push_at(i, -striker.force);
+            push_at(pace, i, -striker.force);
         }
         double displacement = ports_[i].free;
         for (std::size_t j = 0; j < n; ++j) {
             displacement -= condensed_[i][j] * strikers[j].force;
         }
-        ports_[i].rate = (displacement - ports_[i].displacement) * sample_rate_;
+        ports_[i].rate = (displacement - ports_[i].displacement) / period;
         ports_[i].displacement = displacement;
         const double depth = displacement - striker.position;
         striker.stuck = striker.mallet.stickiness > 0.0 &&
@@ -202,29 +177,14 @@ void StruckHead::answer(std::span<Striker> strikers) noexcept {
         Spring& spring = spring_[sprung_[i]];
         spring.force = still_[i];
         for (std::size_t s = 0; s < n; ++s) {
-            spring.force -= taken_[s][i] * strikers[s].force;
+            spring.force -= pace.taken[s][i] * strikers[s].force;
         }
-        const double hold = 0.5 * spring.stiffness + spring.resistance / period_;
-        const double moved = (spring.force - spring.stiffness * spring.elongation) / hold;
+        const double moved =
+            (spring.force - spring.stiffness * spring.elongation) / hold_of(spring, period);
         spring.elongation += moved;
         ports_[sprung_[i]].displacement += moved;
-        push_at(sprung_[i], -spring.force);
+        push_at(pace, sprung_[i], -spring.force);
     }
-}
-
-double StruckHead::reading(std::size_t i) const noexcept {
-    const Pickup& pickup = pickups_[i];
-    if (pickup.weights.q.empty()) {
-        return 0.0;
-    }
-    double value = i == 0 && early_.there ? early_.value : bank_.reading(pickup.weights);
-    for (std::size_t n = 0; n < push_count_; ++n) {
-        const std::size_t p = pushed_[n];
-        const double response = p == kTension ? bank_.response(pickup.weights, ports_[kTension].phi)
-                                              : pickup.response[p];
-        value += pushes_[n].force * response;
-    }
-    return value;
 }
 
 }  // namespace percussionist::modal

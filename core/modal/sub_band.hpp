@@ -27,6 +27,7 @@ class BandFilter {
     SubBand apply(std::span<const double> signal, double centre) const;
 
     double width() const { return width_; }
+    std::size_t length() const { return taps_.size(); }  ///< [samples]
 
   private:
     double sample_rate_;

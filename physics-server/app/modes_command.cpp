@@ -63,7 +63,8 @@ void write_resynthesis(const ModesOptions& options, const modal::MeasuredModes& 
     }
 }
 
-void report(const modal::MeasuredModes& measured, const std::vector<modal::Hit>& hits) {
+void report(const modal::MeasuredModes& measured, const std::vector<modal::Hit>& hits,
+            double high) {
     fmt::print("{:>10} {:>8}  weights, the largest being 1, at", "Hz", "t60 s");
     for (const double place : measured.modes.places) {
         fmt::print(" {:g}", place);
@@ -77,8 +78,9 @@ void report(const modal::MeasuredModes& measured, const std::vector<modal::Hit>&
         fmt::print("\n");
     }
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        fmt::print("recording {}: the modes explain all but {:.1f} dB of it\n", i + 1,
-                   10 * std::log10(std::max(measured.left[i], 1e-30)));
+        fmt::print(
+            "recording {}: what the modes do not explain is {:.1f} dB of it, up to {:g} Hz\n",
+            i + 1, 10 * std::log10(std::max(measured.left[i], 1e-30)), high);
     }
     fmt::print("{} modes; {} signs not known\n", measured.modes.modes.size(),
                measured.unknown_signs);
@@ -98,7 +100,7 @@ void run_modes(const ModesOptions& options) {
     if (!options.resynthesis.empty()) {
         write_resynthesis(options, measured, hits, rate);
     }
-    report(measured, hits);
+    report(measured, hits, options.analysis.high);
 }
 
 /// Core throws std::invalid_argument; main prints what(), whichever.

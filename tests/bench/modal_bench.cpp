@@ -56,7 +56,8 @@ void ring(benchmark::State& state) {
 }
 
 /// The loops alone, as every x86-64 processor can run them and as this one runs them best; all
-/// modes of one bank, a force each sample, or none and range(1) pickups.
+/// modes of one bank, without a force and range(1) pickups, or in spans with a force each sample,
+/// foreseen at one port and one pickup.
 void loops_of(benchmark::State& state, const ModeLoops& loops) {
     const auto size = static_cast<std::size_t>(state.range(0));
     ModeBank bank(size, 1 / kRate, loops);
@@ -64,16 +65,16 @@ void loops_of(benchmark::State& state, const ModeLoops& loops) {
     for (std::size_t k = 0; k < size; ++k) {
         bank.set(k, {.angular_frequency = 300 + 10.0 * static_cast<double>(k), .loss = 1e-3});
     }
-    const std::array<ModeBank::Push, 1> push{{{1.0, phi.data()}}};
-    bank.swing(push, phi);
+    const std::array<double, ModeBank::kSpan> forces{1.0, -0.5, 2.0};
+    bank.give(forces, phi);
     ModeBank::Weights weights{phi, phi, {}};
     std::array<double, ModeBank::kChunk> out{};
     for (auto _ : state) {
-        if (state.range(1) == 0) {
-            for (double& sample : out) {
-                bank.swing(push, phi);
-                sample = bank.reading(weights);
-            }
+        for (std::size_t n = 0; state.range(1) == 0 && n < out.size(); n += ModeBank::kSpan) {
+            bank.ring(phi, std::span(out).subspan(n, ModeBank::kSpan));
+            bank.ring(weights, std::span(out).subspan(n, ModeBank::kSpan));
+            bank.advance(ModeBank::kSpan);
+            bank.give(forces, phi);
         }
         for (int i = 0; i < state.range(1); ++i) {
             bank.ring(weights, out);

@@ -22,8 +22,9 @@ ModeBank bank_of(std::size_t size) {
     return bank;
 }
 
-std::array<ModeBank::Push, 1> pushing(double force, const Values& phi) {
-    return {{{force, phi.data()}}};
+/// A force during the sample that has just passed.
+void push(ModeBank& bank, double force, const Values& phi) {
+    bank.give(std::span(&force, 1), phi);
 }
 
 Values some_weights(const ModeBank& bank) {
@@ -49,8 +50,8 @@ TEST_CASE("a mode under a constant force moves as the differential equation says
         return f * phi / m - 2 * s * u - w * w * x;
     };
     for (int n = 0; n < 100; ++n) {
-        bank.swing({}, shape);
-        bank.push(pushing(f, shape));
+        bank.advance(1);
+        push(bank, f, shape);
         const double h = kPeriod / 100;
         for (int i = 0; i < 100; ++i) {
             const double a1 = acceleration(q, v), v1 = v;
@@ -72,8 +73,8 @@ TEST_CASE("what is foreseen of many samples is what they are one by one, for any
     for (const std::size_t size : {1u, 7u, 16u, 100u}) {
         ModeBank one = bank_of(size);
         const auto phi = some_weights(one);
-        one.swing({}, phi);
-        one.push(pushing(3.0, phi));
+        one.advance(1);
+        push(one, 3.0, phi);
         ModeBank many = one;
         ModeBank::Weights weights{phi, phi, {}};
         one.read_velocity(phi, weights);
@@ -84,7 +85,7 @@ TEST_CASE("what is foreseen of many samples is what they are one by one, for any
             most = std::max(most, std::abs(velocity));
         }
         for (const double velocity : velocities) {
-            one.swing({}, phi);
+            one.advance(1);
             REQUIRE(std::abs(one.reading(weights) - velocity) < 1e-12 * most);
         }
         many.advance(ModeBank::kChunk);
@@ -93,16 +94,46 @@ TEST_CASE("what is foreseen of many samples is what they are one by one, for any
     }
 }
 
-TEST_CASE("a push waiting for the next swing is a push before it, to the last bit") {
-    ModeBank now = bank_of(50);
-    const auto phi = some_weights(now);
-    now.swing({}, phi);
-    ModeBank later = now;
-    for (int i = 0; i < 10; ++i) {
-        now.push(pushing(2.0 + i, phi));
-        const double at_once = now.swing({}, phi);
-        const auto waiting = pushing(2.0 + i, phi);
-        REQUIRE(later.swing(waiting, phi) == at_once);
+TEST_CASE("forces given at the end of a span have done what each does at its sample") {
+    for (const std::size_t samples : {1u, 5u, 16u, 64u}) {
+        ModeBank one = bank_of(50);
+        const auto phi = some_weights(one);
+        push(one, 2.0, phi);
+        ModeBank many = one;
+        ModeBank::Weights weights{phi, phi, {}};
+        one.read_velocity(phi, weights);
+        std::vector<double> forces(samples), foreseen(samples), answer(samples), moves(samples);
+        many.ring(weights, foreseen);
+        many.ring(phi, moves);
+        many.answer(phi, weights, answer);
+        for (std::size_t n = 0; n < samples; ++n) {
+            forces[n] = std::sin(7.0 * static_cast<double>(n));
+            for (std::size_t later = n; later < samples; ++later) {
+                foreseen[later] += forces[n] * answer[later - n];
+            }
+            one.advance(1);
+            if (n == 0) {
+                CHECK(one.displacement(phi) == doctest::Approx(moves[0]).epsilon(1e-12));
+            }
+            push(one, forces[n], phi);
+            REQUIRE(one.reading(weights) == doctest::Approx(foreseen[n]).epsilon(1e-11));
+        }
+        many.advance(samples);
+        many.give(forces, phi);
+        CHECK(many.energy() == doctest::Approx(one.energy()).epsilon(1e-12));
+        CHECK(many.reading(weights) == doctest::Approx(one.reading(weights)).epsilon(1e-11));
+    }
+}
+
+TEST_CASE("two ports answer each other alike") {
+    const ModeBank bank = bank_of(50);
+    const auto phi = some_weights(bank);
+    const Values other(bank.padded(), 0.3);
+    std::array<double, ModeBank::kSpan> there{}, back{};
+    bank.answer(phi, other, there);
+    bank.answer(other, phi, back);
+    for (std::size_t n = 0; n < there.size(); ++n) {
+        CHECK(there[n] == doctest::Approx(back[n]).epsilon(1e-12));
     }
 }
 
@@ -110,13 +141,14 @@ TEST_CASE("an acceleration is read as the second difference of displacements has
     ModeBank bank = bank_of(1);
     Values unit(bank.padded(), 0.0), none(bank.padded(), 0.0);
     unit[0] = 1.0;
-    bank.push(pushing(1.0, unit));
+    push(bank, 1.0, unit);
     ModeBank::Weights weights{unit, unit, unit}, later{unit, unit, unit};
     bank.read_acceleration(unit, none, weights);
     bank.read_acceleration(none, unit, later);
     std::vector<double> q, a;
     for (int i = 0; i < 400; ++i) {
-        q.push_back(bank.swing({}, unit));
+        bank.advance(1);
+        q.push_back(bank.displacement(unit));
         a.push_back(bank.reading(weights));
     }
     for (std::size_t i = 1; i + 1 < q.size(); ++i) {
@@ -134,14 +166,14 @@ TEST_CASE("an acceleration is read as the second difference of displacements has
 TEST_CASE("a bank set anew a thousand times while it swings stays bounded") {
     ModeBank bank = bank_of(40);
     const auto phi = some_weights(bank);
-    bank.swing({}, phi);
-    bank.push(pushing(1.0, phi));
+    bank.advance(1);
+    push(bank, 1.0, phi);
     for (int i = 0; i < 1000; ++i) {
         for (std::size_t k = 0; k < bank.size(); ++k) {
             const double w = 500.0 + 100.0 * static_cast<double>((i * 7 + k * 3) % 600);
             bank.set(k, {w, 0.1 * w, 0.02});
         }
-        bank.swing({}, phi);
+        bank.advance(1);
     }
     CHECK(std::isfinite(bank.energy()));
 }
@@ -150,8 +182,8 @@ TEST_CASE("modes that have all but died come to rest, the others stay") {
     ModeBank bank = bank_of(40);
     Values phi(bank.padded(), 1e-15);
     phi[3] = 1.0;
-    bank.swing({}, phi);
-    bank.push(pushing(1.0, phi));
+    bank.advance(1);
+    push(bank, 1.0, phi);
     CHECK(bank.moving() == bank.padded());
     const double before = bank.energy();
     bank.retire(1e-25);
@@ -160,6 +192,6 @@ TEST_CASE("modes that have all but died come to rest, the others stay") {
     Values faint(bank.padded(), 1.0);
     faint[3] = 0.0;
     CHECK(bank.displacement(faint) == 0.0);
-    bank.push(pushing(1.0, phi));
+    push(bank, 1.0, phi);
     CHECK(bank.moving() == bank.padded());
 }

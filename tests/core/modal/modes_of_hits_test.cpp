@@ -116,6 +116,32 @@ TEST_CASE("modes are measured at 30 dB above noise: frequencies, decays, weights
     }
 }
 
+TEST_CASE("modes are told apart in a quarter of a second, as of a bass drum in a beat") {
+    GivenModes given;
+    given.places = {0.0, 0.5};
+    given.modes = {{.frequency = 46, .t60 = 0.40, .weights = {1.0, 0.6}, .heard = 1.0},
+                   {.frequency = 58, .t60 = 0.30, .weights = {0.8, -0.5}, .heard = 1.0},
+                   {.frequency = 84, .t60 = 0.20, .weights = {0.6, 0.6}, .heard = 1.0},
+                   {.frequency = 110, .t60 = 0.30, .weights = {0.4, 0.5}, .heard = 1.0},
+                   {.frequency = 138, .t60 = 0.15, .weights = {0.4, 0.5}, .heard = 1.0}};
+    auto hits = recorded(given, 30);
+    for (auto& hit : hits) {
+        hit.samples.resize(15000);
+    }
+    const auto measured = modes_of_hits(hits, kRate, {.high = 1000});
+    for (const auto& mode : given.modes) {
+        CAPTURE(mode.frequency);
+        CHECK(std::any_of(measured.modes.modes.begin(), measured.modes.modes.end(),
+                          [&](const GivenMode& found) {
+                              return std::abs(found.frequency / mode.frequency - 1) < 0.01 &&
+                                     std::abs(found.t60 / mode.t60 - 1) < 0.1;
+                          }));
+    }
+    for (const double left : measured.left) {
+        CHECK(left < 0.03);
+    }
+}
+
 TEST_CASE("recordings that cannot be are refused with the reason") {
     const auto refused = [](std::vector<Hit> hits) {
         try {
