@@ -241,7 +241,9 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Pla
     fill_jacobian(placement);
     fill_pull(posture);
     const Tasks error = errors(targets, placement);
-    step(error, placement, options_.arms);
+    // The transpose goes along the readiest directions alone; unequal ones it hardly follows.
+    const bool transpose = options_.inverse == Inverse::transpose;
+    step(error, placement, transpose ? 1.0 : options_.arms);
     if (options_.inverse != Inverse::learnt) {
         turn(posture, options_.largest_turn);
         forward_kinematics(skeleton_, posture, placement);
