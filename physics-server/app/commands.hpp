@@ -11,6 +11,12 @@ namespace percussionist::app {
 void add_serve_command(CLI::App& program);
 /// render: the same as fast as it can, into files.
 void add_render_command(CLI::App& program);
+/// replay: a recording of serve, played again and compared.
+void add_replay_command(CLI::App& program);
+/// film: a score played, seen and heard, as a film.
+void add_film_command(CLI::App& program);
+/// figure: the shapes that the viewer shows.
+void add_figure_command(CLI::App& program);
 /// check: how well a recording agrees with the contacts of its performance.
 void add_check_command(CLI::App& program);
 /// samples: the drum's strokes as files, for the patches' sample voice.

@@ -18,6 +18,9 @@ int main(int argc, char** argv) {
     try {
         add_serve_command(program);
         add_render_command(program);
+        add_replay_command(program);
+        add_film_command(program);
+        add_figure_command(program);
         add_check_command(program);
         add_samples_command(program);
         add_fastrak_sim_command(program);

@@ -5,8 +5,11 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <type_traits>
 
+#include "app/named_file.hpp"
 #include "app/route_file.hpp"
+#include "osc/wire.hpp"
 
 namespace percussionist::app {
 
@@ -26,14 +29,29 @@ std::array<float, N> floats(const linear::Vector3& v) {
     return out;
 }
 
+/// As a recording holds it. Nothing of what depends on how busy the machine is (the status), or is
+/// told by routes alone.
+template <class Message>
+osc::Packet recorded(const Message& message) {
+    if constexpr (std::is_same_v<Message, osc::ContactMessage>) {
+        return osc::encode(message, {}, 0.0);
+    } else if constexpr (requires { osc::encode(message, 0.0); }) {
+        return osc::encode(message, 0.0);
+    } else {
+        return {};
+    }
+}
+
 }  // namespace
 
 Server::Server(const ServeOptions& options, WallClock& clock)
     : options_(options),
       clock_(clock),
       performance_(options.simulation),
-      endpoint_(options.endpoint, [&clock] { return clock.now(); }) {
-    use(load_score(options.score));
+      endpoint_(options.endpoint, [&clock] { return clock.now(); }),
+      tape_(options.settings) {
+    if (!options.recording.empty()) tape_.begin(options.recording);
+    if (!options.replay) use(load_score(options.score));
 }
 
 void Server::use(LoadedScore loaded) {
@@ -41,19 +59,43 @@ void Server::use(LoadedScore loaded) {
     fmt::print("score: {}: {} of {} notes as strokes\n", loaded.title, loaded.strokes.size(),
                loaded.notes);
     std::fflush(stdout);
+    tape_.loaded(steps(), loaded.source);
     performance_.load(std::move(loaded.strokes));
+}
+
+/// What a message says of the wall clock is simulated time until it leaves.
+template <class Message>
+void Server::tell(Message message) {
+    if (tape_.recording() || options_.told) {
+        const osc::Packet packet = recorded(message);
+        if (options_.told && !packet.empty()) options_.told(steps(), packet);
+        if (!packet.empty()) tape_.told(steps(), packet);
+    }
+    message.wall = wall(message.wall);
+    endpoint_.tell(std::move(message));
 }
 
 void Server::run(const std::atomic<bool>& stop) {
     start_ = clock_.now();
-    if (options_.play) play();
+    if (options_.play) hear({osc::Play{}, "/play", {}});
     while (!stop && !ended_) {
-        for (const osc::Command& command : endpoint_.take_commands()) obey(command);
+        for (const osc::Heard& heard : endpoint_.take_commands()) hear(heard);
         take_loaded_score();
         catch_up(clock_.now());
         clock_.sleep_until(wall(next_step_end()));
     }
+    if (tape_.recording()) {
+        const std::string fault = tape_.end(steps());
+        if (!fault.empty()) fmt::print(stderr, "{}\n", fault);
+    }
     write_log();
+}
+
+void Server::hear(const osc::Heard& heard) {
+    // A replay goes its own way.
+    if (options_.replay && shapes_performance(heard.command)) return;
+    tape_.heard(steps(), heard);
+    obey(heard.command);
 }
 
 void Server::write_log() const {
@@ -68,7 +110,7 @@ void Server::catch_up(double now) {
         start_ += behind;
         fmt::print(stderr, "held up for {:.2f} s: simulated time paused\n", behind);
     }
-    while (wall(next_step_end()) <= now) {
+    while (wall(next_step_end()) <= now && !ended_) {
         if (now - wall(next_step_end()) > kLate) ++late_steps_;
         step();
     }
@@ -81,6 +123,8 @@ double Server::next_step_end() const {
 }
 
 void Server::step() {
+    if (options_.replay) play_again();
+    if (ended_) return;
     const bool playing = performance_.playing();
     for (const LoggedContact& contact : performance_.step()) tell_contact(contact);
     for (const Asked& given : performance_.player().given()) tell_strike(given);
@@ -91,6 +135,7 @@ void Server::step() {
         tell_status();
     }
     if (playing && !performance_.playing()) tell_finished();
+    if (options_.stepped) options_.stepped(performance_);
 }
 
 void Server::obey(const osc::Command& command) {
@@ -104,6 +149,46 @@ void Server::obey(const osc::Command& command) {
         begin_loading(*score);
     } else if (const auto* save = std::get_if<osc::SaveRoutes>(&command)) {
         save_routes(*save);
+    } else if (const auto* wish = std::get_if<osc::Record>(&command)) {
+        record(*wish);
+    }
+}
+
+void Server::play_again() {
+    const files::Recording& take = *options_.replay;
+    for (; replayed_ < take.records.size(); ++replayed_) {
+        const files::Record& record = take.records[replayed_];
+        if (record.step > steps()) break;
+        if (record.kind == files::RecordKind::score) {
+            const files::PackedScore score = files::unpack_score(record.bytes);
+            use(load_kept_score({score.name, {score.bytes.begin(), score.bytes.end()}}));
+        } else if (record.kind == files::RecordKind::heard) {
+            osc::decode(record.bytes, [this](const auto& path, const auto arguments) {
+                const auto said = osc::understand(path, arguments, {});
+                const auto* command = std::get_if<osc::Command>(&said);
+                if (command != nullptr && shapes_performance(*command)) obey(*command);
+            });
+        }
+    }
+    ended_ = steps() >= take.end;
+}
+
+void Server::record(const osc::Record& wish) {
+    std::string fault;
+    if (wish.file.empty()) {
+        fault = tape_.end(steps());
+    } else {
+        try {
+            tape_.begin(named_file(options_.score_folder, wish.file, ".recording"));
+        } catch (const std::exception& error) {
+            fault = error.what();
+        }
+    }
+    if (!fault.empty()) {
+        endpoint_.answer(wish.asker, "/error", {"/record", fault});
+    } else {
+        endpoint_.answer(wish.asker, "/reply",
+                         {"/record", wish.file.empty() ? "ended" : wish.file + ".recording"});
     }
 }
 
@@ -130,7 +215,7 @@ void Server::begin_loading(const osc::LoadScore& wish) {
 void Server::play() {
     performance_.play();
     const Player& player = performance_.player();
-    endpoint_.tell(osc::StartedMessage{wall(player.origin()), static_cast<float>(player.tempo())});
+    tell(osc::StartedMessage{player.origin(), static_cast<float>(player.tempo())});
 }
 
 void Server::save_routes(const osc::SaveRoutes& wish) {
@@ -163,7 +248,7 @@ void Server::tell_contact(const LoggedContact& contact) {
     m.hand = static_cast<int>(c.hand);
     m.drum = c.drum;
     m.stroke = contact.stroke;
-    m.wall = wall(c.instant);
+    m.wall = c.instant;
     m.instant = c.instant;
     m.place = floats<2>(c.place);
     m.velocity = floats<3>(c.velocity);
@@ -172,23 +257,22 @@ void Server::tell_contact(const LoggedContact& contact) {
     m.duration = static_cast<float>(c.duration);
     m.mass = static_cast<float>(c.effective_mass);
     m.recontact = c.recontact;
-    endpoint_.tell(m);
+    tell(m);
 }
 
 void Server::tell_strike(const Asked& given) {
     const score::Stroke& stroke = performance_.player().strokes()[given.stroke];
     const double now = performance_.simulation().time();
-    endpoint_.tell(osc::StrikeMessage{wall(now), stroke.hand, static_cast<int>(given.stroke),
-                                      static_cast<float>(given.time - now),
-                                      static_cast<float>(stroke.speed),
-                                      static_cast<float>(stroke.height)});
+    tell(osc::StrikeMessage{now, stroke.hand, static_cast<int>(given.stroke),
+                            static_cast<float>(given.time - now), static_cast<float>(stroke.speed),
+                            static_cast<float>(stroke.height)});
 }
 
 void Server::tell_pose() {
     next_pose_ += kPoseInterval;
     osc::PoseMessage pose;
     const sim::Simulation& simulation = performance_.simulation();
-    pose.wall = wall(simulation.time());
+    pose.wall = simulation.time();
     const body::Placement& placement = simulation.placement();
     for (int i = 0; i < simulation.skeleton().size(); ++i) {
         const linear::Quaternion& q = placement.orientation[i];
@@ -197,40 +281,39 @@ void Server::tell_pose() {
                                {static_cast<float>(q.w()), static_cast<float>(q.x()),
                                 static_cast<float>(q.y()), static_cast<float>(q.z())}});
     }
-    endpoint_.tell(std::move(pose));
+    tell(std::move(pose));
 }
 
 void Server::tell_scene() {
     const sim::Simulation& simulation = performance_.simulation();
     osc::SceneMessage scene;
-    scene.wall = wall(simulation.time());
+    scene.wall = simulation.time();
     for (const body::Segment& s : simulation.skeleton().segments) {
         const linear::Vector3 middle = 0.5 * (s.joint_rest + s.end_rest) - s.com_rest;
         scene.bodies.push_back({s.name, floats<3>(middle), floats<3>(s.size)});
     }
     scene.drums.push_back({0, floats<3>(simulation.head_centre()),
                            static_cast<float>(options_.simulation.head.membrane.radius)});
-    endpoint_.tell(std::move(scene));
+    tell(std::move(scene));
 }
 
 void Server::tell_status() {
     next_status_ += kStatusInterval;
     const double time = performance_.simulation().time();
     osc::StatusMessage status;
-    status.wall = wall(time);
+    status.wall = time;
     status.time = time;
     status.load = static_cast<float>(busy_ / kStatusInterval);
     status.late_steps = late_steps_;
     status.strokes = performance_.player().asked();
     status.contacts = static_cast<int>(performance_.log().contacts().size());
     busy_ = 0.0;
-    endpoint_.tell(status);
+    tell(status);
 }
 
 void Server::tell_finished() {
     const TimingSummary summary = performance_.summary();
-    endpoint_.tell(osc::FinishedMessage{wall(performance_.simulation().time()), summary.strokes,
-                                        summary.contacts});
+    tell(osc::FinishedMessage{performance_.simulation().time(), summary.strokes, summary.contacts});
     ended_ = options_.quit_at_end;
 }
 

@@ -60,8 +60,13 @@ struct SaveRoutes {
     std::string file;
     Peer asker;
 };
+/// Records what is played to FILE; an empty one: no longer.
+struct Record {
+    std::string file;
+    Peer asker;
+};
 
 using Command = std::variant<Play, Stop, Tempo, LoadScore, Subscribe, Unsubscribe, Ping, Describe,
-                             AddRoute, ChangeRoute, RemoveRoute, ListRoutes, SaveRoutes>;
+                             AddRoute, ChangeRoute, RemoveRoute, ListRoutes, SaveRoutes, Record>;
 
 }  // namespace percussionist::osc
