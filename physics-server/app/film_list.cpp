@@ -12,6 +12,8 @@ namespace {
 
 /// Trails are made of poses, which come as often as over the wire [Hz].
 constexpr int kPoseRate = 60;
+/// Pictures are drawn this much larger and made smaller by the script, which smooths their edges.
+constexpr int kOversampling = 2;
 
 std::string numbers(const linear::Vector3& v) {
     return fmt::format("{:.5f} {:.5f} {:.5f}", v.x(), v.y(), v.z());
@@ -25,7 +27,8 @@ FilmList::FilmList(const std::filesystem::path& path, const FilmOptions& options
     fmt::print(out_,
                "film-size {} {};\nviewer-distance {};\nviewer-elevation {};\nviewer-azimuth {};\n"
                "500;\nfilm-ready bang;\n500;\nfilm-ready bang;\n",
-               options.width, options.height, options.distance, options.elevation, options.azimuth);
+               kOversampling * options.width, kOversampling * options.height, options.distance,
+               options.elevation, options.azimuth);
     if (!out_) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
