@@ -1,7 +1,5 @@
 #include "app/figure.hpp"
 
-#include <cmath>
-#include <numbers>
 #include <string_view>
 
 namespace percussionist::app {
@@ -18,16 +16,10 @@ const files::Paint kTrousers{"trousers", {0.19, 0.20, 0.25}, 0.9};
 const files::Paint kShoes{"shoes", {0.12, 0.11, 0.11}, 0.5};
 const files::Paint kHair{"hair", {0.24, 0.17, 0.13}, 0.9};
 const files::Paint kWood{"wood", {0.80, 0.62, 0.38}, 0.6};
-const files::Paint kShell{"shell", {0.50, 0.10, 0.09}, 0.4};
-const files::Paint kHead{"drumhead", {0.94, 0.92, 0.86}, 0.8};
-const files::Paint kMetal{"metal", {0.75, 0.76, 0.80}, 0.3, 0.9};
-const files::Paint kSteel{"steel", {0.36, 0.37, 0.40}, 0.4, 0.8};
 
 // So few that a computer without a graphics card draws them 60 times a second.
-constexpr int kSlices = 16, kFineSlices = 48, kSmallSlices = 8;
+constexpr int kSlices = 16, kSmallSlices = 8;
 constexpr int kRings = 8, kSmallRings = 5, kSteps = 2;
-/// Of the drum, from hoop to hoop [m].
-constexpr double kDrumDepth = 0.33;
 
 /// A part of a segment: an outline along the segment, radii in metres, heights as shares of its
 /// length from joint to end; across it may be flat.
@@ -186,52 +178,6 @@ void add_stick(files::SceneNode& node, const body::Stick& stick) {
     node.looks.push_back({kWood, mesh});
 }
 
-files::Mesh round(const Outline& outline) {
-    return files::turned(outline, kFineSlices);
-}
-
-/// Both hoops, and the lugs that hold them.
-files::Mesh hoops(double radius) {
-    constexpr double kHoop = 0.009;
-    constexpr int kLugs = 8;
-    Outline hoop;
-    for (int i = 0; i <= kSmallSlices; ++i) {
-        const double angle = 2.0 * std::numbers::pi * (i % kSmallSlices) / kSmallSlices;
-        hoop.push_back({radius + kHoop * std::cos(angle), kHoop * std::sin(angle)});
-    }
-    files::Mesh mesh = round(hoop);
-    for (files::OutlinePoint& p : hoop) p.height -= kDrumDepth;
-    append(mesh, round(hoop));
-    const Outline lug{{0.004, -kDrumDepth}, {0.004, -0.19}, {0.013, -0.185},
-                      {0.013, -0.145},      {0.004, -0.14}, {0.004, 0.0}};
-    for (int i = 0; i < kLugs; ++i) {
-        const double angle = 2.0 * std::numbers::pi * (i + 0.5) / kLugs;
-        const Eigen::Affine3d to(Eigen::Translation3d((radius + 0.009) * std::cos(angle),
-                                                      (radius + 0.009) * std::sin(angle), 0.0));
-        append(mesh, files::transformed(files::turned(lug, kSmallSlices), to));
-    }
-    return mesh;
-}
-
-/// A post on three legs, seen from a head `height` above the floor.
-files::Mesh stand(double height) {
-    files::Mesh mesh = files::turned({{0.016, 0.10 - height}, {0.016, 0.02 - kDrumDepth}}, kSlices);
-    const Vector3 from(0.0, 0.0, 0.34 - height);
-    for (int i = 0; i < 3; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / 3.0;
-        const Vector3 foot(0.30 * std::cos(angle), 0.30 * std::sin(angle), 0.012 - height);
-        const Eigen::Affine3d to(
-            Eigen::Translation3d(from) *
-            Quaternion::FromTwoVectors(Vector3::UnitZ(), (foot - from).normalized()));
-        const double length = (foot - from).norm();
-        append(mesh, files::transformed(
-                         files::turned({{0.010, 0.0}, {0.010, length}, {0.0, length + 0.01}},
-                                       kSmallSlices),
-                         to));
-    }
-    return mesh;
-}
-
 /// The name of a segment without its side.
 std::string_view kind_of(std::string_view name) {
     for (const std::string_view side : {"left_", "right_"}) {
@@ -272,17 +218,6 @@ std::vector<files::SceneNode> figure_nodes(const body::Skeleton& skeleton) {
         nodes.push_back(std::move(node));
     }
     return nodes;
-}
-
-files::SceneNode drum_node(const Vector3& head_centre, double radius) {
-    files::SceneNode node;
-    node.name = "drum";
-    node.place = head_centre;
-    node.looks.push_back({kHead, round({{radius, 0.0}, {0.0, 0.0}})});
-    node.looks.push_back({kShell, round({{radius, -kDrumDepth}, {radius, -0.004}})});
-    node.looks.push_back({kMetal, hoops(radius)});
-    node.looks.push_back({kSteel, stand(head_centre.z())});
-    return node;
 }
 
 }  // namespace percussionist::app
