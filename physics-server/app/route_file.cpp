@@ -1,24 +1,12 @@
 #include "app/route_file.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <stdexcept>
 
+#include "app/named_file.hpp"
 #include "osc/route.hpp"
 
 namespace percussionist::app {
-
-namespace {
-
-bool plain(const std::string& name) {
-    return !name.empty() && name.size() <= 64 &&
-           std::all_of(name.begin(), name.end(), [](unsigned char c) {
-               return std::isalnum(c) != 0 || c == '-' || c == '_';
-           });
-}
-
-}  // namespace
 
 std::vector<std::string> read_routes(const std::filesystem::path& path) {
     std::ifstream in(path);
@@ -42,11 +30,8 @@ std::vector<std::string> read_routes(const std::filesystem::path& path) {
 
 void write_routes(const std::filesystem::path& folder, const std::string& name,
                   const std::vector<std::pair<int, std::string>>& routes) {
-    if (!plain(name)) {
-        throw std::runtime_error("expected a name of letters, digits, - and _, got '" + name + "'");
-    }
-    const std::filesystem::path path = folder / (name + ".routes");
-    const std::filesystem::path fresh = folder / (name + ".routes.new");
+    const std::filesystem::path path = named_file(folder, name, ".routes");
+    const std::filesystem::path fresh = named_file(folder, name, ".routes.new");
     {
         std::ofstream out(fresh);
         for (const auto& [number, line] : routes) out << line << '\n';

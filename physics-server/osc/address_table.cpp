@@ -110,6 +110,12 @@ std::vector<Address> make_table() {
          [](Arguments a, const Peer& from) -> Command {
              return SaveRoutes{text(a, 0, ""), from};
          }},
+        {"/record",
+         "record what is played to FILE.recording in the server's folder; without FILE no longer",
+         {{"FILE", "", true, false}},
+         [](Arguments a, const Peer& from) -> Command {
+             return Record{text(a, 0, ""), from};
+         }},
         {"/ping",
          "answered by /pong to the asker",
          {},

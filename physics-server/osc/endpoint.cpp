@@ -53,7 +53,7 @@ void Endpoint::tell(Outgoing message) {
     wake_.notify_one();
 }
 
-std::vector<Command> Endpoint::take_commands() {
+std::vector<Heard> Endpoint::take_commands() {
     const std::lock_guard lock(mutex_);
     return std::exchange(commands_, {});
 }
@@ -76,7 +76,8 @@ void Endpoint::hear() {
                 refuse(*refusal, sender);
             } else if (const auto& command = std::get<Command>(said); !handled(command)) {
                 const std::lock_guard lock(mutex_);
-                if (commands_.size() < kMostCommands) commands_.push_back(command);
+                if (commands_.size() >= kMostCommands) return;
+                commands_.push_back({command, path, {arguments.begin(), arguments.end()}});
             }
         };
         if (!decode({buffer.data(), received->size}, message)) {

@@ -30,6 +30,13 @@ struct EndpointOptions {
     std::vector<std::string> routes;  ///< from the start, as lines of text
 };
 
+/// A command, and the message that it was.
+struct Heard {
+    Command command;
+    std::string address;
+    std::vector<Argument> arguments;
+};
+
 class Endpoint {
   public:
     /// Both threads start here. `wall` reads the server's steady wall clock [s]; called from the
@@ -48,7 +55,7 @@ class Endpoint {
     /// A question's answer, to the asker alone.
     void answer(const Peer& asker, const std::string& address, std::vector<std::string> texts);
     /// What has been asked for since the last call, in order. Simulating thread.
-    std::vector<Command> take_commands();
+    std::vector<Heard> take_commands();
 
   private:
     struct Repeat {
@@ -83,7 +90,7 @@ class Endpoint {
 
     mutable std::mutex mutex_;  ///< guards all below but what the sending thread alone uses
     std::condition_variable wake_;
-    std::vector<Command> commands_;
+    std::vector<Heard> commands_;
     std::deque<Outgoing> outgoing_;
     bool stopping_ = false;
 
