@@ -44,6 +44,12 @@ void Object::error(const std::string& text) const {
     print_error(&box_, box_.known->table.name + ": " + text);
 }
 
+std::string Object::path_of(const char* file) const {
+    std::array<char, MAXPDSTRING> path{};
+    canvas_makefilename(box_.canvas, file, path.data(), static_cast<int>(path.size()));
+    return path.data();
+}
+
 double Object::now() {
     return logical_seconds();
 }
