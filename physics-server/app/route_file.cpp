@@ -5,6 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "files/text_file.hpp"
 #include "osc/route.hpp"
 
 namespace percussionist::app {
@@ -16,6 +17,16 @@ bool plain(const std::string& name) {
            std::all_of(name.begin(), name.end(), [](unsigned char c) {
                return std::isalnum(c) != 0 || c == '-' || c == '_';
            });
+}
+
+/// Whoever asks for routes to be saved may not fill the disk.
+constexpr std::ptrdiff_t kMostFiles = 100;
+
+std::ptrdiff_t route_files(const std::filesystem::path& folder) {
+    std::error_code error;
+    const std::filesystem::directory_iterator entries(folder, error);
+    return std::count_if(begin(entries), end(entries),
+                         [](const auto& entry) { return entry.path().extension() == ".routes"; });
 }
 
 }  // namespace
@@ -46,14 +57,12 @@ void write_routes(const std::filesystem::path& folder, const std::string& name,
         throw std::runtime_error("expected a name of letters, digits, - and _, got '" + name + "'");
     }
     const std::filesystem::path path = folder / (name + ".routes");
-    const std::filesystem::path fresh = folder / (name + ".routes.new");
-    {
-        std::ofstream out(fresh);
-        for (const auto& [number, line] : routes) out << line << '\n';
-        out.flush();
-        if (!out) throw std::runtime_error(path.string() + ": cannot be written");
+    if (!std::filesystem::exists(path) && route_files(folder) >= kMostFiles) {
+        throw std::runtime_error(folder.string() + ": holds 100 files of routes already");
     }
-    std::filesystem::rename(fresh, path);
+    std::string text;
+    for (const auto& [number, line] : routes) text += line + '\n';
+    files::replace_text(path, text);
 }
 
 }  // namespace percussionist::app

@@ -14,8 +14,8 @@ struct Close {
 };
 using File = std::unique_ptr<SNDFILE, Close>;
 
-/// Some 24 hours of stereo at 48 kHz: what claims more is damaged.
-constexpr sf_count_t kMostSamples = 8'000'000'000;
+/// Some 90 minutes of stereo at 48 kHz, 4 GB in memory; compressed silence could claim any number.
+constexpr sf_count_t kMostSamples = 500'000'000;
 
 File open(const std::filesystem::path& path, int mode, SF_INFO& info) {
     File file(sf_open(path.c_str(), mode, &info));
@@ -31,7 +31,8 @@ Audio read_audio(const std::filesystem::path& path) {
     SF_INFO info{};
     const File file = open(path, SFM_READ, info);
     if (info.frames < 0 || info.frames > kMostSamples / info.channels) {
-        throw AudioError(path.string() + ": claims " + std::to_string(info.frames) + " frames");
+        throw AudioError(path.string() + ": expected at most 500 million samples, found " +
+                         std::to_string(info.frames) + " frames");
     }
     Audio audio;
     audio.rate = info.samplerate;

@@ -19,6 +19,16 @@ constexpr double kRepeatShare = 1.0 / 8.0;
 constexpr double kClockInterval = 0.01;
 /// Commands not yet taken beyond this many are refused: memory is bounded.
 constexpr std::size_t kMostCommands = 256;
+constexpr std::size_t kCommandsAtOnce = 8;
+/// Of what waits to be sent: beyond this many poses are left out, and beyond that anything.
+constexpr std::size_t kMostBeforePoses = 64;
+constexpr std::size_t kMostOutgoing = 16384;
+constexpr double kCheckInterval = 0.1;  // of silent subscribers [s]
+
+bool is_picture(const Outgoing& message) {
+    return std::holds_alternative<PoseMessage>(message) ||
+           std::holds_alternative<SceneMessage>(message);
+}
 
 }  // namespace
 
@@ -48,6 +58,8 @@ Endpoint::~Endpoint() {
 void Endpoint::tell(Outgoing message) {
     {
         const std::lock_guard lock(mutex_);
+        const std::size_t most = is_picture(message) ? kMostBeforePoses : kMostOutgoing;
+        if (outgoing_.size() >= most) return;
         outgoing_.push_back(std::move(message));
     }
     wake_.notify_one();
@@ -55,7 +67,11 @@ void Endpoint::tell(Outgoing message) {
 
 std::vector<Command> Endpoint::take_commands() {
     const std::lock_guard lock(mutex_);
-    return std::exchange(commands_, {});
+    const auto end = commands_.begin() +
+                     static_cast<std::ptrdiff_t>(std::min(commands_.size(), kCommandsAtOnce));
+    std::vector<Command> taken(std::move_iterator(commands_.begin()), std::move_iterator(end));
+    commands_.erase(commands_.begin(), end);
+    return taken;
 }
 
 void Endpoint::hear() {
@@ -67,21 +83,30 @@ void Endpoint::hear() {
             const std::lock_guard lock(mutex_);
             if (stopping_) return;
         }
-        drop_dead();
-        if (!received) continue;
-        const Peer sender = UdpSocket::peer(received->from);
-        const auto message = [&](const std::string& path, std::span<const Argument> arguments) {
-            const auto said = understand(path, arguments, sender);
-            if (const auto* refusal = std::get_if<Refusal>(&said)) {
-                refuse(*refusal, sender);
-            } else if (const auto& command = std::get<Command>(said); !handled(command)) {
-                const std::lock_guard lock(mutex_);
-                if (commands_.size() < kMostCommands) commands_.push_back(command);
-            }
-        };
-        if (!decode({buffer.data(), received->size}, message)) {
-            refuse({"packet", "expected an OSC message or bundle"}, sender);
+        drop_silent();
+        if (received) {
+            hear({buffer.data(), received->size}, received->from);
+        } else {
+            drop_unreachable();
         }
+    }
+}
+
+void Endpoint::hear(std::span<const char> packet, const sockaddr_in& from) {
+    const Peer sender = UdpSocket::peer(from);
+    const auto message = [&](const std::string& path, std::span<const Argument> arguments) {
+        // Two servers that are told of each other must not complain to each other for ever.
+        if (path == "/error") return;
+        const auto said = understand(path, arguments, sender);
+        if (const auto* refusal = std::get_if<Refusal>(&said)) {
+            refuse(*refusal, sender);
+        } else if (const auto& command = std::get<Command>(said); !handled(command)) {
+            const std::lock_guard lock(mutex_);
+            if (commands_.size() < kMostCommands) commands_.push_back(command);
+        }
+    };
+    if (!decode(packet, message)) {
+        refuse({"packet", "expected an OSC message or bundle"}, sender);
     }
 }
 
@@ -97,19 +122,30 @@ bool Endpoint::handled(const Command& command) {
         command);
 }
 
+/// In numbers, or by a name that was given to --allow: to look others up takes seconds, in which
+/// nobody would be heard.
+in_addr_t Endpoint::known_host(const std::string& host) const {
+    if (const auto numeric = UdpSocket::numeric(host)) return *numeric;
+    const auto named = std::find(options_.allow.begin(), options_.allow.end(), host);
+    if (named == options_.allow.end()) {
+        throw std::runtime_error(host.substr(0, 80) +
+                                 ": not allowed; expected an address in numbers, or a host given "
+                                 "with --allow");
+    }
+    return allowed_[static_cast<std::size_t>(named - options_.allow.begin())];
+}
+
 sockaddr_in Endpoint::allowed_target(const Peer& to, const Peer& asker) const {
-    const sockaddr_in target = UdpSocket::resolve(to.host, to.port);
-    const in_addr_t host = target.sin_addr.s_addr;
+    const in_addr_t host = known_host(to.host);
     constexpr std::uint32_t kLoopback = 127;
-    const bool allowed = ntohl(host) >> 24U == kLoopback ||
-                         host == UdpSocket::resolve(asker.host, asker.port).sin_addr.s_addr ||
+    const bool allowed = ntohl(host) >> 24U == kLoopback || host == known_host(asker.host) ||
                          std::find(allowed_.begin(), allowed_.end(), host) != allowed_.end();
     if (!allowed) {
         throw std::runtime_error(to.host +
                                  ": not allowed; expected this machine, the asker's, or a "
                                  "host given with --allow");
     }
-    return target;
+    return UdpSocket::address(host, to.port);
 }
 
 void Endpoint::handle(const Subscribe& wish) {
@@ -122,9 +158,9 @@ void Endpoint::handle(const Subscribe& wish) {
 
 void Endpoint::handle(const Unsubscribe& wish) {
     try {
-        audience_.drop(UdpSocket::resolve(wish.peer.host, wish.peer.port));
-    } catch (const std::runtime_error&) {
-        // A name that cannot be looked up is nobody's: nothing to remove.
+        audience_.drop(allowed_target(wish.peer, wish.asker));
+    } catch (const std::runtime_error& error) {
+        refuse({"/unsubscribe", error.what()}, wish.asker);
     }
 }
 
@@ -175,13 +211,19 @@ void Endpoint::handle(const Describe& wish) {
     }
 }
 
-void Endpoint::drop_dead() {
+void Endpoint::drop_unreachable() {
     while (const auto gone = socket_.unreachable()) {
         if (!audience_.drop(*gone)) continue;
         const Peer peer = UdpSocket::peer(*gone);
         tell(DroppedMessage{peer.host, peer.port});
     }
-    for (const Peer& peer : audience_.drop_silent(wall_())) {
+}
+
+void Endpoint::drop_silent() {
+    const double now = wall_();
+    if (now < next_check_) return;
+    next_check_ = now + kCheckInterval;
+    for (const Peer& peer : audience_.drop_silent(now)) {
         tell(DroppedMessage{peer.host, peer.port});
     }
 }
@@ -192,11 +234,12 @@ void Endpoint::refuse(const Refusal& refusal, const Peer& sender) {
 
 void Endpoint::answer(const Peer& asker, const std::string& address,
                       std::vector<std::string> texts) {
-    try {
-        socket_.send(encode_text(address, texts), UdpSocket::resolve(asker.host, asker.port));
-    } catch (const std::runtime_error&) {
-        // The asker's address came from its own packet; if it is gone there is nobody to tell.
+    const sockaddr_in to = UdpSocket::address(known_host(asker.host), asker.port);
+    {
+        const std::lock_guard lock(mutex_);
+        if (!answers_.allows(to.sin_addr.s_addr, wall_())) return;
     }
+    socket_.send(encode_text(address, texts), to);
 }
 
 void Endpoint::send_loop() {

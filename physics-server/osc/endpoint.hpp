@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "osc/answer_budget.hpp"
 #include "osc/audience.hpp"
 #include "osc/outgoing.hpp"
 #include "osc/udp_socket.hpp"
@@ -43,11 +44,12 @@ class Endpoint {
         return audience_.routes();
     }
 
-    /// Hands a message to the sending thread. Any thread; may take memory, waits for no I/O.
+    /// Hands a message to the sending thread. Any thread; may take memory, waits for no I/O. Where
+    /// the network is too slow for what is told, poses are left out.
     void tell(Outgoing message);
-    /// A question's answer, to the asker alone.
+    /// A question's answer, to the asker alone, unless it asks too often (AnswerBudget).
     void answer(const Peer& asker, const std::string& address, std::vector<std::string> texts);
-    /// What has been asked for since the last call, in order. Simulating thread.
+    /// What has been asked for, in order, a few at a time: obeying takes time. Simulating thread.
     std::vector<Command> take_commands();
 
   private:
@@ -56,6 +58,7 @@ class Endpoint {
         Packet packet;
     };
     void hear();
+    void hear(std::span<const char> packet, const sockaddr_in& from);
     bool handled(const Command& command);
     void handle(const Subscribe& wish);
     void handle(const Unsubscribe& wish);
@@ -65,8 +68,10 @@ class Endpoint {
     void handle(const ListRoutes& wish);
     void handle(const Ping& wish);
     void handle(const Describe& wish);
+    [[nodiscard]] in_addr_t known_host(const std::string& host) const;
     [[nodiscard]] sockaddr_in allowed_target(const Peer& to, const Peer& asker) const;
-    void drop_dead();
+    void drop_unreachable();
+    void drop_silent();
     void refuse(const Refusal& refusal, const Peer& sender);
     void send_loop();
     void send_contact(const ContactMessage& contact);
@@ -78,18 +83,20 @@ class Endpoint {
     EndpointOptions options_;
     std::function<double()> wall_;
     UdpSocket socket_;
-    std::vector<in_addr_t> allowed_;  ///< numeric, of options.allow
+    std::vector<in_addr_t> allowed_;  ///< numeric, of options.allow, in its order
     Audience audience_;
 
     mutable std::mutex mutex_;  ///< guards all below but what the sending thread alone uses
     std::condition_variable wake_;
-    std::vector<Command> commands_;
+    std::deque<Command> commands_;
+    AnswerBudget answers_;
     std::deque<Outgoing> outgoing_;
     bool stopping_ = false;
 
     std::deque<ContactMessage> recent_;  ///< sending thread: newest first
     std::deque<Repeat> repeats_;         ///< sending thread
     double next_clock_ = 0.0;            ///< sending thread
+    double next_check_ = 0.0;            ///< of silent subscribers; hearing thread
 
     std::thread hearing_, sending_;
 };

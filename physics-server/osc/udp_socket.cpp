@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
@@ -31,6 +33,21 @@ Peer UdpSocket::peer(const sockaddr_in& address) {
     char text[INET_ADDRSTRLEN] = "";
     inet_ntop(AF_INET, &address.sin_addr, text, sizeof text);
     return {text, std::to_string(ntohs(address.sin_port))};
+}
+
+std::optional<in_addr_t> UdpSocket::numeric(const std::string& host) {
+    in_addr address{};
+    const char* text = host == "localhost" ? "127.0.0.1" : host.c_str();
+    if (inet_pton(AF_INET, text, &address) != 1) return std::nullopt;
+    return address.s_addr;
+}
+
+sockaddr_in UdpSocket::address(in_addr_t host, const std::string& port) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = host;
+    address.sin_port = htons(static_cast<std::uint16_t>(std::strtoul(port.c_str(), nullptr, 10)));
+    return address;
 }
 
 UdpSocket::UdpSocket(const std::string& host, int port) {

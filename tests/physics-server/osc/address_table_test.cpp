@@ -53,6 +53,14 @@ TEST_CASE("address table: wrong type, range or number of arguments is refused by
     CHECK(refusal("/dance", {}).find("/describe") != std::string::npos);
 }
 
+TEST_CASE("address table: a refusal is short, however long what it refuses") {
+    const std::string long_text(60000, 'x');
+    CHECK(refusal("/tempo", {long_text}).size() < 300);
+    CHECK(refusal("/subscribe", {1.0, long_text}).size() < 300);
+    const auto said = understand('/' + long_text, {}, kSender);
+    CHECK(std::get<Refusal>(said).address.size() < 300);
+}
+
 TEST_CASE("address table: an asker that names no host is sent to where it came from") {
     const auto said = understand("/subscribe", std::vector<Argument>{7771.0}, kSender);
     const auto* wish = std::get_if<Subscribe>(&std::get<Command>(said));
