@@ -8,16 +8,20 @@ namespace percussionist::timing {
 namespace {
 
 constexpr double kSure = 3.0;       // times a rate's error
-constexpr double kSureFor = 3.0;    // [s]
+constexpr double kSureFor = 2.0;    // [s]
 constexpr double kTolerance = 8.0;  // times the tracker's uncertainty
+constexpr double kSettling = 0.5;   // [s]
 constexpr double kRested = 0.25;    // of the tolerance
-constexpr double kPull = 2.0;       // within which an error is drawn in [s]
+constexpr double kPull = 1.5;       // within which an error is drawn in [s]
 
 }  // namespace
 
 void SteadyLine::follow(const ClockTracker& tracker, double x) noexcept {
     const double error = tracker.to_y(x) - to_y(x);
     if (!started_ || tracker.steps() != steps_ || !(std::abs(error) <= settings_.jump)) {
+        settling_until_ = x + kSettling;
+    }
+    if (x < settling_until_) {
         take(tracker, x);
         return;
     }

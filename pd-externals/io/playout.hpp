@@ -50,7 +50,7 @@ class Playout {
     std::size_t room_;
     std::vector<std::unique_ptr<Delivery>> waiting_;  // a heap
     timing::ClockTracker clock_{{.step = 1e-3}};
-    timing::SteadyLine line_{{.most_tolerance = 5e-5}};
+    timing::SteadyLine line_{{.least_tolerance = 2e-4, .most_tolerance = 2e-4}};
     double latency_ = 0.0;
     unsigned long late_ = 0;
     double latest_ = 0.0;

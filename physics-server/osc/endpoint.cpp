@@ -13,9 +13,12 @@ namespace {
 
 /// How many events ride along: with them a packet still fits one Ethernet frame.
 constexpr std::size_t kRideAlong = 7;
-/// How often a contact is sent again, evenly over the lookahead that is left after it was known.
-constexpr int kRepeats = 4;
-constexpr double kRepeatShare = 1.0 / 8.0;
+/// A contact is sent again evenly over half of the lookahead, for that much is surely left when it
+/// is known: the more often, the longer that is.
+constexpr double kRepeatShare = 0.5;
+constexpr double kRepeatsApart = 7.5e-3;  // [s]
+constexpr int kLeastRepeats = 4;
+constexpr int kMostRepeats = 12;
 constexpr double kClockInterval = 0.01;
 /// Commands not yet taken beyond this many are refused: memory is bounded.
 constexpr std::size_t kMostCommands = 256;
@@ -277,8 +280,11 @@ void Endpoint::send_contact(const ContactMessage& contact) {
     Packet packet = encode(contact, earlier, options_.lookahead);
     broadcast(packet, Feed::sound);
     const double now = wall_();
-    const double gap = kRepeatShare * options_.lookahead;
-    for (int i = 1; i <= kRepeats; ++i) repeats_.push_back({now + i * gap, packet});
+    const double over = kRepeatShare * options_.lookahead;
+    const int repeats =
+        std::clamp(static_cast<int>(over / kRepeatsApart), kLeastRepeats, kMostRepeats);
+    const double gap = over / repeats;
+    for (int i = 1; i <= repeats; ++i) repeats_.push_back({now + i * gap, packet});
     std::sort(repeats_.begin(), repeats_.end(),
               [](const Repeat& a, const Repeat& b) { return a.wall < b.wall; });
     recent_.push_front(contact);

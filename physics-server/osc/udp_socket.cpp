@@ -1,6 +1,7 @@
 #include "osc/udp_socket.hpp"
 
 #include <arpa/inet.h>
+#include <linux/errqueue.h>
 #include <netdb.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -13,6 +14,21 @@
 #include <stdexcept>
 
 namespace percussionist::osc {
+
+namespace {
+
+/// Of what the kernel reports about a packet that was sent.
+int reason(msghdr& message) {
+    for (cmsghdr* c = CMSG_FIRSTHDR(&message); c != nullptr; c = CMSG_NXTHDR(&message, c)) {
+        if (c->cmsg_level != IPPROTO_IP || c->cmsg_type != IP_RECVERR) continue;
+        sock_extended_err error{};
+        std::memcpy(&error, CMSG_DATA(c), sizeof error);
+        return static_cast<int>(error.ee_errno);
+    }
+    return 0;
+}
+
+}  // namespace
 
 sockaddr_in UdpSocket::resolve(const std::string& host, const std::string& port) {
     addrinfo hints{};
@@ -76,8 +92,12 @@ std::optional<sockaddr_in> UdpSocket::unreachable() {
     message.msg_iovlen = 1;
     message.msg_control = control;
     message.msg_controllen = sizeof control;
-    if (recvmsg(fd_, &message, MSG_ERRQUEUE | MSG_DONTWAIT) < 0) return std::nullopt;
-    return peer;
+    // A cable that is out is another thing: who was told before is told again when it is in.
+    while (recvmsg(fd_, &message, MSG_ERRQUEUE | MSG_DONTWAIT) >= 0) {
+        if (reason(message) == ECONNREFUSED) return peer;
+        message.msg_controllen = sizeof control;
+    }
+    return std::nullopt;
 }
 
 UdpSocket::~UdpSocket() {
