@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <atomic>
 
 #include "support/osc_listener.hpp"
@@ -11,6 +12,8 @@ using namespace percussionist;
 using test::OscListener;
 
 namespace {
+
+constexpr int kPatience = 60000;  // [ms]
 
 /// An endpoint by a clock that stands still unless it is told.
 struct Standing {
@@ -41,20 +44,22 @@ osc::Packet subscription(const char* address, int port, const std::string& host)
 
 }  // namespace
 
-TEST_CASE("endpoint: a flood of questions makes no flood of answers") {
+TEST_CASE("endpoint: a flood of questions makes no flood of answers, and others are answered") {
     Standing server;
     OscListener asker(server.endpoint.port());
     for (int i = 0; i < 20; ++i) asker.send(many(100, test::osc_message("/describe", "", {})));
-    CHECK(asker.hears("/description", static_cast<int>(osc::AnswerBudget::kAtOnce)));
-    server.wall = server.wall + 1e-9;
-    asker.send("/ping");
-    asker.send(many(100, test::osc_message("/describe", "", {})));
-    OscListener other(server.endpoint.port());
-    CHECK(asker.count("/description") == static_cast<int>(osc::AnswerBudget::kAtOnce));
+    osc::UdpSocket other("127.0.0.2", 0);  // another host, as far as the server can tell
+    other.send(osc::encode_text("/ping", {}),
+               osc::UdpSocket::address(*osc::UdpSocket::numeric("127.0.0.1"),
+                                       std::to_string(server.endpoint.port())));
+    std::array<char, 256> answer{};
+    CHECK(other.receive(answer, kPatience));
+    CHECK(asker.hears("/description"));
+    CHECK(asker.count("/description") <= static_cast<int>(osc::AnswerBudget::kAtOnce));
     CHECK(asker.count("/pong") == 0);
     server.wall = server.wall + 1.0;
-    other.send("/ping");
-    CHECK(other.hears("/pong"));
+    asker.send("/ping");
+    CHECK(asker.hears("/pong"));
 }
 
 TEST_CASE("endpoint: an /error is never answered, so two servers cannot complain for ever") {
