@@ -14,7 +14,7 @@ constexpr std::size_t kMostSenders = 16;
 constexpr double kLongestLookahead = 10.0;  // [s]
 constexpr double kComplaintsApart = 1.0;    // [s]
 constexpr double kReordering = 0.03;        // first packets may come that much out of order [s]
-constexpr double kContactsWorth = 0.1;      // late [s]
+constexpr double kSilence = 0.5;            // of a sender that is otherwise heard often [s]
 constexpr const char* kClock = "/clock";
 constexpr const char* kContact = "/contact";
 
@@ -107,9 +107,12 @@ OscInbox::Sender& OscInbox::sender(const Endpoint& from, double arrival) {
         }
         auto fresh = std::make_unique<Sender>();
         fresh->from = from;
-        fresh->first_heard = arrival;
+        fresh->first_heard = fresh->last_heard = arrival;
         senders_.push_back(std::move(fresh));
         found = std::prev(senders_.end());
+    }
+    if (arrival > (*found)->last_heard + kSilence) {
+        (*found)->back = arrival;
     }
     (*found)->last_heard = arrival;
     return **found;
@@ -141,9 +144,7 @@ void OscInbox::deliver(Sender& sender, OscBundle& bundle) {
     if (bundle.tag != kImmediately && sender.clock.started()) {
         const double due = sender.due(bundle.tag);
         delivery->due = due;
-        if (find_in(bundle, kContact)) {
-            delivery->worth = kContactsWorth;
-        }
+        delivery->stale = due < sender.back - kReordering && find_in(bundle, kContact) != nullptr;
         std::erase_if(bundle.messages, [&](const OscMessage& message) {
             const auto number = sequence_of(message);
             return number &&

@@ -16,7 +16,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,8 +40,8 @@ std::string to_string(const Endpoint& endpoint);
 /// Messages due at one time; or, instead, a complaint for the user.
 struct Delivery {
     std::optional<double> due;  ///< none: at once [s]
-    /// What is later than this is worth nothing any more, but to be counted [s].
-    double worth = std::numeric_limits<double>::infinity();
+    /// Of a time when the sender could not be heard: only to be counted, if it is late.
+    bool stale = false;
     std::uint64_t serial = 0;  ///< counts deliveries: the order of those due together
     std::vector<OscMessage> messages;
     std::string complaint;
@@ -76,6 +75,7 @@ class OscInbox {
         Endpoint from;
         TimeTag epoch = 0;
         double first_heard = 0.0, last_heard = 0.0;
+        double back = -1e9;  // heard again after a silence
         std::optional<double> lookahead;
         timing::ClockTracker clock;
         timing::SteadyLine line;

@@ -45,7 +45,7 @@ std::unique_ptr<Delivery> Playout::take(double logical) noexcept {
     if (due < logical - kLate && delivery->due) {
         ++late_;
         latest_ = std::max(latest_, logical - due);
-        if (logical - due > delivery->worth) {
+        if (delivery->stale) {
             delivery->messages.clear();
         }
     }

@@ -34,8 +34,7 @@ class Playout {
 
     /// When the next is due; at once: minus infinity; none: infinity.
     double next() const noexcept;
-    /// The next, if it is due by then; else null. What is worth nothing any more comes without its
-    /// messages.
+    /// The next, if it is due by then; else null. What is stale comes without its messages.
     std::unique_ptr<Delivery> take(double logical) noexcept;
 
     /// Seconds by which everything with a time tag is let out later.
