@@ -75,6 +75,7 @@ void Server::catch_up(double now) {
     const double behind = now - wall(next_step_end());
     if (behind > kGiveUp) {
         start_ += behind;
+        late_steps_ += static_cast<int>(behind / performance_.simulation().step_length());
         fmt::print(stderr, "held up for {:.2f} s: simulated time paused\n", behind);
     }
     while (wall(next_step_end()) <= now) {
