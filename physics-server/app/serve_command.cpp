@@ -71,6 +71,7 @@ void add_serve_command(CLI::App& program) {
     add_simulation_flags(command, options->simulation);
     command.callback([options, routes] {
         if (!routes->empty()) options->endpoint.routes = read_routes(*routes);
+        options->endpoint.before_sending = [] { ask_for_real_time(); };
         if (options->score_folder.empty()) options->score_folder = ".";
         serve(*options);
     });

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -22,10 +23,12 @@ constexpr int kMostRepeats = 12;
 constexpr double kClockInterval = 0.01;
 /// Commands not yet taken beyond this many are refused: memory is bounded.
 constexpr std::size_t kMostCommands = 256;
-constexpr std::size_t kCommandsAtOnce = 8;
-/// Of what waits to be sent: beyond this many poses are left out, and beyond that anything.
-constexpr std::size_t kMostBeforePoses = 64;
+constexpr std::size_t kCommandsAtOnce = 2;
+/// What waits to be sent: of poses and scenes the newest few, of all else no more than this.
+constexpr std::size_t kMostPictures = 8;
 constexpr std::size_t kMostOutgoing = 16384;
+/// Of one picture, by routes: so that strokes never wait long for poses.
+constexpr std::size_t kMostRoutedPoses = 400;
 constexpr double kCheckInterval = 0.1;  // of silent subscribers [s]
 
 bool is_picture(const Outgoing& message) {
@@ -50,7 +53,7 @@ Endpoint::Endpoint(const EndpointOptions& options, std::function<double()> wall)
 
 Endpoint::~Endpoint() {
     {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock(outgoing_mutex_);
         stopping_ = true;
     }
     wake_.notify_all();
@@ -60,16 +63,20 @@ Endpoint::~Endpoint() {
 
 void Endpoint::tell(Outgoing message) {
     {
-        const std::lock_guard lock(mutex_);
-        const std::size_t most = is_picture(message) ? kMostBeforePoses : kMostOutgoing;
-        if (outgoing_.size() >= most) return;
-        outgoing_.push_back(std::move(message));
+        const std::lock_guard lock(outgoing_mutex_);
+        if (is_picture(message)) {
+            if (pictures_.size() >= kMostPictures) pictures_.pop_front();
+            pictures_.push_back(std::move(message));
+        } else if (outgoing_.size() < kMostOutgoing) {
+            outgoing_.push_back(std::move(message));
+        }
     }
     wake_.notify_one();
 }
 
 std::vector<Command> Endpoint::take_commands() {
-    const std::lock_guard lock(mutex_);
+    const std::unique_lock lock(commands_mutex_, std::try_to_lock);
+    if (!lock) return {};  // they wait for the next step
     const auto end = commands_.begin() +
                      static_cast<std::ptrdiff_t>(std::min(commands_.size(), kCommandsAtOnce));
     std::vector<Command> taken(std::move_iterator(commands_.begin()), std::move_iterator(end));
@@ -82,10 +89,7 @@ void Endpoint::hear() {
     constexpr int kCheckStopping = 50;
     while (true) {
         const auto received = socket_.receive(buffer, kCheckStopping);
-        {
-            const std::lock_guard lock(mutex_);
-            if (stopping_) return;
-        }
+        if (stopping_) return;
         drop_silent();
         if (received) {
             hear({buffer.data(), received->size}, received->from);
@@ -104,7 +108,7 @@ void Endpoint::hear(std::span<const char> packet, const sockaddr_in& from) {
         if (const auto* refusal = std::get_if<Refusal>(&said)) {
             refuse(*refusal, sender);
         } else if (const auto& command = std::get<Command>(said); !handled(command)) {
-            const std::lock_guard lock(mutex_);
+            const std::lock_guard lock(commands_mutex_);
             if (commands_.size() < kMostCommands) commands_.push_back(command);
         }
     };
@@ -239,28 +243,36 @@ void Endpoint::answer(const Peer& asker, const std::string& address,
                       std::vector<std::string> texts) {
     const sockaddr_in to = UdpSocket::address(known_host(asker.host), asker.port);
     {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock(answers_mutex_);
         if (!answers_.allows(to.sin_addr.s_addr, wall_())) return;
     }
     socket_.send(encode_text(address, texts), to);
 }
 
 void Endpoint::send_loop() {
+    options_.before_sending();
     next_clock_ = wall_();
     while (true) {
         std::deque<Outgoing> batch;
+        std::optional<Outgoing> picture;
         {
-            std::unique_lock lock(mutex_);
+            std::unique_lock lock(outgoing_mutex_);
             double due = next_clock_;
             if (!repeats_.empty()) due = std::min(due, repeats_.front().wall);
             const double wait = std::max(0.0, due - wall_());
-            wake_.wait_for(lock, std::chrono::duration<double>(wait),
-                           [this] { return stopping_ || !outgoing_.empty(); });
+            wake_.wait_for(lock, std::chrono::duration<double>(wait), [this] {
+                return stopping_ || !outgoing_.empty() || !pictures_.empty();
+            });
             if (stopping_ && outgoing_.empty()) return;
             batch.swap(outgoing_);
+            if (batch.empty() && !pictures_.empty()) {
+                picture = std::move(pictures_.front());
+                pictures_.pop_front();
+            }
         }
         for (const Outgoing& message : batch) send(message);
         send_due(wall_());
+        if (picture) send_picture(*picture);
     }
 }
 
@@ -298,12 +310,6 @@ void Endpoint::send(const Outgoing& message) {
         send_routed(event_of(*contact));
     } else if (const auto* strike = std::get_if<StrikeMessage>(&message)) {
         send_routed(event_of(*strike));
-    } else if (const auto* pose = std::get_if<PoseMessage>(&message)) {
-        broadcast(encode(*pose, lookahead), Feed::pose);
-        if (!audience_.wanted(EventKind::pose)) return;
-        for (const BodyPose& body : pose->bodies) send_routed(event_of(body, pose->wall));
-    } else if (const auto* scene = std::get_if<SceneMessage>(&message)) {
-        broadcast(encode(*scene, lookahead), Feed::pose);
     } else if (const auto* status = std::get_if<StatusMessage>(&message)) {
         broadcast(encode(*status, subscribers(), lookahead), Feed::all);
         send_routed(event_of(*status));
@@ -313,16 +319,35 @@ void Endpoint::send(const Outgoing& message) {
         broadcast(encode(*started, lookahead), Feed::all);
     } else if (const auto* finished = std::get_if<FinishedMessage>(&message)) {
         broadcast(encode(*finished, lookahead), Feed::all);
-    } else {
-        broadcast(encode(std::get<DroppedMessage>(message)), Feed::all);
+    } else if (const auto* dropped = std::get_if<DroppedMessage>(&message)) {
+        broadcast(encode(*dropped), Feed::all);
     }
 }
 
-void Endpoint::send_routed(const Event& event) {
+void Endpoint::send_picture(const Outgoing& message) {
+    if (const auto* scene = std::get_if<SceneMessage>(&message)) {
+        broadcast(encode(*scene, options_.lookahead), Feed::pose);
+        return;
+    }
+    const auto& pose = std::get<PoseMessage>(message);
+    broadcast(encode(pose, options_.lookahead), Feed::pose);
+    if (!audience_.wanted(EventKind::pose)) return;
+    std::size_t sent = 0;
+    for (const BodyPose& body : pose.bodies) {
+        if (sent >= kMostRoutedPoses) return;
+        sent += send_routed(event_of(body, pose.wall));
+    }
+}
+
+/// Returns how many packets that made.
+std::size_t Endpoint::send_routed(const Event& event) {
+    std::size_t sent = 0;
     audience_.route(event, [&](const Route& route, const sockaddr_in& to) {
+        ++sent;
         const std::vector<Argument> values = arguments(route, event);
         socket_.send(encode_routed(route.address, values, event.wall + options_.lookahead), to);
     });
+    return sent;
 }
 
 void Endpoint::broadcast(const Packet& packet, Feed feed) {

@@ -6,6 +6,7 @@
 // each.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -29,6 +30,8 @@ struct EndpointOptions {
     /// Hosts that may be sent to at another's wish; always allowed are this machine and who asks.
     std::vector<std::string> allow;
     std::vector<std::string> routes;  ///< from the start, as lines of text
+    /// What the sending thread does first: asks for a priority, say.
+    std::function<void()> before_sending = [] {};
 };
 
 class Endpoint {
@@ -77,7 +80,8 @@ class Endpoint {
     void send_contact(const ContactMessage& contact);
     void send_due(double now);
     void send(const Outgoing& message);
-    void send_routed(const Event& event);
+    void send_picture(const Outgoing& message);
+    std::size_t send_routed(const Event& event);
     void broadcast(const Packet& packet, Feed feed);
 
     EndpointOptions options_;
@@ -86,12 +90,18 @@ class Endpoint {
     std::vector<in_addr_t> allowed_;  ///< numeric, of options.allow, in its order
     Audience audience_;
 
-    mutable std::mutex mutex_;  ///< guards all below but what the sending thread alone uses
-    std::condition_variable wake_;
+    std::atomic<bool> stopping_{false};
+
+    // A lock each, none held for long: a flood keeps the hearing thread busy, and who holds a lock
+    // may lose the processor; the simulating thread never waits for that one.
+    std::mutex commands_mutex_;
     std::deque<Command> commands_;
+    std::mutex answers_mutex_;
     AnswerBudget answers_;
+    std::mutex outgoing_mutex_;
+    std::condition_variable wake_;
     std::deque<Outgoing> outgoing_;
-    bool stopping_ = false;
+    std::deque<Outgoing> pictures_;  ///< poses and scenes: sent when nothing else waits
 
     std::deque<ContactMessage> recent_;  ///< sending thread: newest first
     std::deque<Repeat> repeats_;         ///< sending thread

@@ -18,6 +18,7 @@ class Process {
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
+    pid_t id() const { return id_; }
     void signal(int number) const;
     /// Whether it ended by itself within this time [s], and well.
     bool ended(double seconds);

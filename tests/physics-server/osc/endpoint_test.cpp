@@ -124,7 +124,7 @@ TEST_CASE("endpoint: commands wait in bounded memory and are taken a few at a ti
     std::size_t all = 0;
     for (auto some = server.endpoint.take_commands(); !some.empty();
          some = server.endpoint.take_commands()) {
-        CHECK(some.size() <= 8);
+        CHECK(some.size() <= 2);
         all += some.size();
     }
     CHECK(all == 256);
