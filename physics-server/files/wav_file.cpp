@@ -2,6 +2,7 @@
 
 #include <sndfile.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -37,11 +38,12 @@ Audio read_audio(const std::filesystem::path& path) {
     Audio audio;
     audio.rate = info.samplerate;
     audio.channels = info.channels;
-    // In pieces, so that a header that promises too much takes no memory for it.
-    constexpr sf_count_t kPiece = 65536;
-    std::vector<double> piece(static_cast<std::size_t>(kPiece * info.channels));
+    // In pieces, so that a header that promises too much, frames or channels, takes no memory for
+    // it.
+    const sf_count_t frames = std::max<sf_count_t>(1, 65536 / info.channels);
+    std::vector<double> piece(static_cast<std::size_t>(frames * info.channels));
     for (sf_count_t got = 1; got > 0;) {
-        got = sf_readf_double(file.get(), piece.data(), kPiece);
+        got = sf_readf_double(file.get(), piece.data(), frames);
         audio.samples.insert(audio.samples.end(), piece.begin(),
                              piece.begin() + got * info.channels);
     }
