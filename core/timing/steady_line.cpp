@@ -7,7 +7,7 @@ namespace percussionist::timing {
 
 namespace {
 
-constexpr double kSure = 3.0;       // times a rate's error
+constexpr double kSure = 4.0;       // times a rate's error
 constexpr double kSureFor = 2.0;    // [s]
 constexpr double kTolerance = 8.0;  // times the tracker's uncertainty
 constexpr double kSettling = 0.5;   // [s]
@@ -49,7 +49,10 @@ void SteadyLine::compare(const ClockTracker& tracker, double x) noexcept {
         doubted_ = x;
     }
     doubting_ = apart;
-    alike_ = alike_ && !(x - doubted_ > kSureFor);
+    if (alike_ && x - doubted_ > kSureFor) {
+        alike_ = false;
+        take(tracker, x);
+    }
 }
 
 void SteadyLine::hold(const ClockTracker& tracker, double x, double error) noexcept {

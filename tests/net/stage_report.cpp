@@ -298,7 +298,8 @@ std::vector<std::pair<int, double>> placements(const Result& result) {
 
 struct Outcome {
     std::size_t strokes = 0, lost = 0, doubled = 0;
-    double range = 0.0;  // of the placements [samples]; within 1 is as even as samples are
+    std::size_t uneven = 0;  // more than a sample from the median
+    double range = 0.0;      // of the placements [samples]; within 1 is as even as samples are
     double in_step = 0.0;
 };
 
@@ -349,28 +350,34 @@ Outcome judge(const Scenario& scenario, Result result) {
     const auto placed = placements(result);
     const double last = placed.empty() ? 0.0 : placed.back().second;
     constexpr double kNear = 3.0;  // samples
-    double low = 1e300, high = -1e300;
+    std::vector<double> places;
     outcome.in_step = 1e300;
     for (const auto& [number, place] : placed) {
         const double instant = result.instants.at(number);
         if (instant > to) {
-            low = std::min(low, place);
-            high = std::max(high, place);
+            places.push_back(place);
         }
         const double since = instant - (to - 2.0);
         if (since > 0.0 && std::abs(place - last) < kNear) {
             outcome.in_step = std::min(outcome.in_step, since);
         }
     }
-    outcome.range = std::max(0.0, high - low);
+    std::sort(places.begin(), places.end());
+    if (!places.empty()) {
+        const double median = places[places.size() / 2];
+        outcome.range = places.back() - places.front();
+        outcome.uneven = static_cast<std::size_t>(
+            std::count_if(places.begin(), places.end(),
+                          [median](double place) { return std::abs(place - median) > 1.0; }));
+    }
     return outcome;
 }
 
 bool report(const Scenario& scenario, char** arguments, const Hosts& hosts, double settling) {
     const Result result = perform(scenario, arguments, hosts, settling);
     const Outcome o = judge(scenario, result);
-    std::printf("| %s | %s | %zu | %zu | %zu | %.2f |", scenario.name.c_str(),
-                scenario.told.c_str(), o.strokes, o.lost, o.doubled, o.range);
+    std::printf("| %s | %s | %zu | %zu | %zu | %zu | %.2f |", scenario.name.c_str(),
+                scenario.told.c_str(), o.strokes, o.lost, o.doubled, o.uneven, o.range);
     if (scenario.mishap != Mishap::none) {
         std::printf(" %.2f s |", o.in_step);
     } else {
@@ -452,8 +459,10 @@ int main(int count, char** arguments) {
     prctl(PR_SET_TIMERSLACK, 1);
     const bool laws = count > 5 && std::string(arguments[5]) == "--laws";
     const std::vector<std::string> names(arguments + (laws ? 6 : 5), arguments + count);
-    std::puts("| scenario | what | strokes | lost | doubled | onsets within, samples | in step |");
-    std::puts("|---|---|---|---|---|---|---|");
+    std::puts(
+        "| scenario | what | strokes | lost | doubled | uneven | onsets within, samples | in step "
+        "|");
+    std::puts("|---|---|---|---|---|---|---|---|");
     bool good = true;
     for (Scenario scenario : scenarios()) {
         if (laws) {
