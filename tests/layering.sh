@@ -44,7 +44,7 @@ only 'm_pd\.h' pd-externals/pdx
 only 'ode/.*' physics-server/sim
 only 'lo/.*' physics-server/osc
 only 'libserialport\.h' pd-externals/io
-only 'sndfile.*|pugixml.*' physics-server/files
+only 'sndfile.*|pugixml.*|nlohmann/.*|zip\.h' physics-server/files
 
 while IFS= read -r line; do
     complain "$line: core knows no thread, file or clock"

@@ -2,14 +2,12 @@
 
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
 namespace percussionist::motion {
 
 namespace {
 
 constexpr double kCentimetres = 100.0;
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 void append(std::string& command, double value) {
     std::array<char, 64> text{};
@@ -85,8 +83,8 @@ std::vector<std::string> station_commands(int station, const StationSettings& se
     std::vector<std::string> commands = {
         command('H', station, {settings.hemisphere}, 1.0),
         command('N', station, {settings.tip}, kCentimetres),
-        command('G', station, {settings.boresight}, kDegrees),
         'R' + std::to_string(station) + '\r',
+        'b' + std::to_string(station) + '\r',
     };
     if (settings.alignment) {
         const Alignment& a = *settings.alignment;

@@ -27,7 +27,6 @@ struct StationSettings {
     Vector3 hemisphere = Vector3::UnitX();  ///< towards the half space it is in; 0: follow it
     Vector3 tip = Vector3::Zero();          ///< of what is measured, in the receiver's frame [m]
     std::optional<Alignment> alignment;
-    linear::Vector3 boresight = Vector3::Zero();  ///< azimuth, elevation, roll to show then [rad]
 };
 
 /// F, FLOW, FHIGH and FACTOR of the unit's adaptive filter; a steady lag of (1-F)/F cycles.

@@ -8,116 +8,49 @@ namespace percussionist::motion {
 
 namespace {
 
-constexpr std::size_t kOut = 4;        // points of the way out
-constexpr std::size_t kIn = 5;         // points of the way in
-constexpr std::size_t kMostGap = 8;    // points in between
-constexpr double kElastic = 1.1;       // way out over way in, of a bounce without loss and ill seen
-constexpr double kLongestStep = 0.02;  // [s] between points
-constexpr double kLeastNoise = 2e-4;   // [m], where a fit is better than trackers are
-
-/// Of the velocity at the end of a fit of n points, dt apart, with noise s each: about 4 s / (n
-/// dt).
-double velocity_uncertainty(double noise, double span) {
-    return 4 * std::max(noise, kLeastNoise) / span;
-}
+constexpr double kLongestStep = 0.04;  // [s] between points
+constexpr double kLeastNoise = 1e-4;   // [m], where a fit is better than trackers are
+constexpr double kStill = 0.06;        // [s]: blunter than this a turn has to have been there twice
+constexpr double kAlike = 3.0;         // factor between turns that are alike
+constexpr double kSameWay = 0.75;      // cosine
+constexpr double kAgainst = -0.4;      // cosine
+constexpr double kUsualVariance = 0.04;  // of -log lasts
+constexpr double kFirstSharper = 0.3;    // where each way was seen once
+constexpr double kFaster = 0.3;          // how much speed counts beside sharpness, as logarithms
+constexpr double kStays = 1.4;  // a turn that does not come back at once counts as so much longer
+constexpr double kSharpest = 0.015;  // [s]: shorter ones are all alike
+constexpr int kMemory = 6;           // turns
 
 }  // namespace
 
-void FreeStrikeDetector::locate(FreeStrike& strike, const LocalFit& in, const LocalFit& out,
-                                const Vector3& away, std::size_t gap) const noexcept {
-    // From the last point of the way in to the first of the way out.
-    const std::size_t first = kOut + gap, last = kOut - 1;
-    const auto height = [&](std::size_t i) { return away.dot(points_[i].position); };
-    std::size_t lowest = 1;  // the way out may begin before it has turned
-    for (std::size_t i = 1; i <= first; ++i) {
-        lowest = height(i) < height(lowest) ? i : lowest;
-    }
-    const double begin = points_[first].time, end = points_[last].time;
-    // The ways in and out meet: v_in (t - begin) + h_in = v_out (t - end) + h_out.
-    const double v_in = away.dot(in.velocity(begin)), v_out = away.dot(out.velocity(end));
-    const double h_in = away.dot(in.position(begin)), h_out = away.dot(out.position(end));
-    const double meet = (h_out - h_in + v_in * begin - v_out * end) / (v_in - v_out);
-    if (gap == 0 && meet > begin && meet < end) {
-        strike.time = meet;
-    } else {
-        const LocalFit bottom(std::array{points_[lowest + 1], points_[lowest], points_[lowest - 1]},
-                              2, points_[lowest].time);
-        const double slope = away.dot(bottom.velocity(points_[lowest].time));
-        const double bend = away.dot(bottom.acceleration(points_[lowest].time));
-        const double vertex = bend > 0.0 ? -slope / bend : 0.0;
-        strike.time = std::clamp(points_[lowest].time + vertex, points_[lowest + 1].time,
-                                 points_[lowest - 1].time);
-    }
-    double most = -1.0;
-    for (std::size_t i = 1; i <= first; ++i) {
-        const LocalFit bend(std::array{points_[i + 1], points_[i], points_[i - 1]}, 2,
-                            points_[i].time);
-        const double deceleration = away.dot(bend.acceleration(points_[i].time));
-        if (deceleration > most) {
-            most = deceleration;
-            strike.peak_time = points_[i].time;
-        }
-    }
-    strike.place = points_[lowest].position;
+void FreeStrikeDetector::Way::add(const SwingTurn& turn, double new_sharpness) noexcept {
+    count = std::min(count + 1, kMemory);
+    const double off = new_sharpness - sharpness;
+    sharpness += off / count;
+    squares += count > 1 ? (off * off - squares) / count : 0.0;
+    power += (turn.speed * turn.deceleration - power) / std::min(count, 4);
+    log_speed += (std::log(turn.speed) - log_speed) / count;
 }
 
-/// Whether the way in, `gap` points before the way out, and the way out do not belong together.
-std::optional<FreeStrike> FreeStrikeDetector::judge(std::size_t gap, double noise) const noexcept {
-    std::array<PathPoint, kOut> out_points;
-    std::array<PathPoint, kIn> in_points;
-    for (std::size_t i = 0; i < kOut; ++i) {
-        out_points[i] = points_[i];
-    }
-    for (std::size_t i = 0; i < kIn; ++i) {
-        in_points[i] = points_[kOut + gap + i];
-    }
-    const double in_end = in_points[0].time, out_begin = out_points[kOut - 1].time;
-    const LocalFit in(in_points, 2, in_end), out(out_points, 2, out_begin);
-    const Vector3 before = in.velocity(in_end), after = out.velocity(out_begin);
-    const Vector3 way_out =
-        (out_points[0].position - out_points[kOut - 1].position) / (out_points[0].time - out_begin);
-    const double speed = before.norm();
-    const Vector3 jump = after - before;
-    if (out_begin - in_end > settings_.longest_contact || speed < settings_.least_speed ||
-        std::max(after.dot(before), way_out.dot(before)) > (1 - settings_.turned) * speed * speed) {
-        return std::nullopt;
-    }
-    const Vector3 away = jump.normalized();
-    const double deceleration = jump.norm() / (out_begin - in_end);
-    const double beside =
-        std::max({0.0, away.dot(in.acceleration(in_end)), away.dot(out.acceleration(out_begin))});
-    const double uncertain =
-        velocity_uncertainty(std::max(noise, in.residual()), in_end - in_points[kIn - 1].time);
-    if (deceleration < std::max(settings_.least_deceleration, settings_.sharpness * beside) ||
-        way_out.norm() > kElastic * speed || after.norm() > kElastic * speed + 2 * uncertain ||
-        is_swing_back(away, deceleration) || jump.norm() < settings_.certainty * uncertain) {
-        return std::nullopt;
-    }
-    FreeStrike strike{.time = 0.0,
-                      .peak_time = 0.0,
-                      .speed = speed,
-                      .deceleration = deceleration,
-                      .direction = before / speed,
-                      .place = Vector3::Zero()};
-    locate(strike, in, out, away, gap);
-    return strike;
+double FreeStrikeDetector::Way::variance() const noexcept {
+    return (2 * kUsualVariance + count * squares) / (count + 2);
 }
 
-/// The turn at the top of a swing, between two strikes the same way.
-bool FreeStrikeDetector::is_swing_back(const Vector3& away, double deceleration) const noexcept {
-    return points_[0].time < last_.time + settings_.swing && away.dot(-last_.direction) < -0.5 &&
-           deceleration < last_.deceleration;
+void FreeStrikeDetector::reset() noexcept {
+    path_.clear();
+    pending_.reset();
 }
 
 /// How far points lie from smooth ways, lately: strikes in between must not count, so what the
 /// better third of the fits shows.
-double FreeStrikeDetector::noise() noexcept {
-    if (points_.size() < kIn) {
-        return 0.0;
+void FreeStrikeDetector::update_noise() noexcept {
+    constexpr std::size_t kFit = 5;
+    if (path_.size() < kFit) {
+        return;
     }
-    std::array<PathPoint, kIn> points;
-    for (std::size_t i = 0; i < kIn; ++i) {
-        points[i] = points_[i];
+    std::array<PathPoint, kFit> points;
+    for (std::size_t i = 0; i < kFit; ++i) {
+        points[i] = path_[i];
     }
     residuals_.add(LocalFit(points, 2, points[0].time).residual());
     std::array<double, 32> sorted{};
@@ -127,27 +60,136 @@ double FreeStrikeDetector::noise() noexcept {
     const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(residuals_.size());
     const auto third = sorted.begin() + static_cast<std::ptrdiff_t>(residuals_.size() / 3);
     std::nth_element(sorted.begin(), third, end);
-    return *third;
+    noise_ = std::max(*third, kLeastNoise);
+}
+
+bool FreeStrikeDetector::stands_out(const SwingTurn& turn) const noexcept {
+    return turn.speed > settings_.least_speed && turn.deceleration > settings_.least_deceleration &&
+           turn.depth > 10 * noise_ && turn.time > struck_ + settings_.rest &&
+           turn.lasts() < settings_.longest_turn;
+}
+
+bool FreeStrikeDetector::was_before(const SwingTurn& turn) const noexcept {
+    const auto near = [](double a, double b) { return a < kAlike * b && b < kAlike * a; };
+    int alike = 0;
+    for (std::size_t i = 0; i < turns_.size(); ++i) {
+        const SwingTurn& other = turns_[i];
+        const double since = turn.time - other.time;
+        alike += since > settings_.rest && since < settings_.memory &&
+                         other.direction.dot(turn.direction) > kSameWay &&
+                         near(other.speed, turn.speed) &&
+                         near(other.deceleration, turn.deceleration)
+                     ? 1
+                     : 0;
+    }
+    return alike >= (turn.lasts() > kStill ? 2 : 1);
+}
+
+bool FreeStrikeDetector::is_other_way(const Way& own) const noexcept {
+    const double scatter = std::sqrt((own.variance() + ways_[0].variance()) / own.count);
+    const bool first = own.count == 1 && ways_[0].count == 1;
+    const double faster = kFaster * (own.log_speed - ways_[0].log_speed);
+    return own.sharpness + faster >
+           ways_[0].sharpness + (first ? kFirstSharper : settings_.other_way + 2 * scatter);
+}
+
+bool FreeStrikeDetector::is_players(const SwingTurn& turn) noexcept {
+    if (turns_.size() > 0 && turn.time > turns_[0].time + 3 * settings_.memory) {
+        ways_ = {};
+    }
+    const bool against = ways_[0].count > 0 && turn.direction.dot(way_) < kAgainst;
+    const bool stays = turn.retreat(path_[0].position) < settings_.returned * turn.depth;
+    const double power = turn.speed * turn.deceleration;
+    const double sharpness = -std::log(turn.lasts() * (stays ? kStays : 1.0));
+    Way& own = ways_[against ? 1 : 0];
+    if (!against && own.count > 0 &&
+        (power < settings_.weak * own.power ||
+         std::min(sharpness, -std::log(kSharpest)) < own.sharpness - std::log(settings_.dull))) {
+        return false;
+    }
+    own.add(turn, std::min(sharpness, -std::log(kSharpest)));
+    if (against && !is_other_way(own)) {
+        return false;
+    }
+    if (against) {
+        std::swap(ways_[0], ways_[1]);
+    }
+    way_ = turn.direction;
+    return true;
+}
+
+std::optional<FreeStrike> FreeStrikeDetector::decide(const SwingTurn& turn) noexcept {
+    const bool known = turn.lasts() < settings_.longest_stop || was_before(turn);
+    const bool players = is_players(turn);
+    turns_.add(turn);
+    begun_ = turn.bottom.time;
+    if (!known || !players) {
+        return std::nullopt;
+    }
+    struck_ = turn.time;
+    return FreeStrike{.time = turn.time,
+                      .peak_time = turn.peak_time,
+                      .speed = turn.speed,
+                      .deceleration = turn.deceleration,
+                      .direction = turn.direction,
+                      .place = turn.bottom.position};
+}
+
+std::optional<FreeStrike> FreeStrikeDetector::wait() noexcept {
+    const SwingTurn& turn = *pending_;
+    const double retreat = turn.retreat(path_[0].position);
+    if (retreat > std::max(4 * noise_, settings_.returned * turn.depth)) {
+        SwingTurn back = turn;
+        pending_.reset();
+        meter().locate(back);
+        return decide(back);
+    }
+    const bool goes_on = retreat < -std::max(3 * noise_, 0.02 * turn.depth);
+    if (goes_on || path_[0].time > turn.time + settings_.patience) {
+        pending_.reset();
+    }
+    return std::nullopt;
+}
+
+std::optional<FreeStrike> FreeStrikeDetector::judge(std::size_t at) noexcept {
+    if (pending_) {
+        const auto strike = wait();
+        if (strike || pending_) {
+            return strike;
+        }
+    }
+    const auto turn = meter().turn(at);
+    if (!turn || !stands_out(*turn)) {
+        return std::nullopt;
+    }
+    if (turn->lasts() < settings_.longest_stop) {
+        return decide(*turn);
+    }
+    pending_ = turn;
+    return wait();
 }
 
 std::optional<FreeStrike> FreeStrikeDetector::add(const PathPoint& tip) noexcept {
-    if (points_.size() > 0 && tip.time - points_[0].time > kLongestStep) {
-        points_.clear();
+    if (path_.size() > 0 && tip.time - path_[0].time > kLongestStep) {
+        reset();
     }
-    points_.add(tip);
-    const double lately = noise();
-    std::optional<FreeStrike> sharpest;
-    for (std::size_t gap = 0; gap <= kMostGap && kOut + gap + kIn <= points_.size(); ++gap) {
-        const auto strike = judge(gap, lately);
-        if (strike && (!sharpest || strike->deceleration > sharpest->deceleration)) {
-            sharpest = strike;
-        }
-    }
-    if (!sharpest || sharpest->time < last_.time + settings_.rest) {
+    path_.add(tip);
+    update_noise();
+    const auto newest = meter().before(0, SwingMeter::kLag);
+    if (!newest) {
         return std::nullopt;
     }
-    last_ = *sharpest;
-    return sharpest;
+    // Each point is judged once, however many were lost since.
+    std::size_t at = *newest;
+    while (at + 1 < path_.size() && path_[at + 1].time > judged_) {
+        ++at;
+    }
+    judged_ = path_[*newest].time;
+    std::optional<FreeStrike> strike;
+    for (std::size_t i = at + 1; i-- > *newest && !strike;) {
+        strike = judge(i);
+    }
+    return strike;
 }
 
 }  // namespace percussionist::motion

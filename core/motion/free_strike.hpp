@@ -1,49 +1,54 @@
 // Strikes on nothing: told from the movement alone, wherever in space it is made.
 //
-// A hand that swings moves smoothly: what a parabola through the way in foretells for the way out,
-// comes. At a strike it does not: within a contact's time the velocity jumps, and turns back. So at
-// each point the last few (way out) and some before (way in), a gap of up to `longest_contact`
-// between them, are fitted, and it is a strike where
-//  - the way in ends with `least_speed` or more,
-//  - the way out has lost `turned` of that velocity or more, in its direction,
-//  - the deceleration in the gap is `sharpness` times what both ways show along the same line (a
-//    swing's turn at the top is as smooth as the swing), and
-//  - it is `least_deceleration` or more, and where it opposes a strike just before, more than that,
-//  - the way out is not faster than the way in: the head gives nothing that it was not given,
-//  - the jump stands out of the noise by `certainty`; noise is how far points lie from fits of the
-//    way in, now or lately, whichever is more.
-// Told are the turning point (the path's end along the jump: where both ways meet, or in a longer
-// contact the vertex of the points in it) and the instant of greatest deceleration. It is known
-// about three records after the turn; with records further apart than 20 ms not at all.
+// A strike is a turn or stop of a swing (swing_turn.hpp) that
+//  - stands out of noise and idleness: `least_speed`, `least_deceleration`, ten times the noise
+//  deep;
+//  - is short, `lasts` measured in time and not in size: `longest_stop` for what strikes by itself,
+//    known 25 ms after it; up to `longest_turn` if the stick comes back and the player has turned
+//    like that before, in the same direction and in less than `memory`. Who reaches for something
+//    turns bluntly, stays there, and does not do it again; this is known once the stick is on its
+//    way back, `patience` at most;
+//  - goes the player's way. Every swing has two turns; strikes are the sharper ones, and where
+//  there
+//    is no difference the first; that a swing is the faster one counts a little, too. Each way is
+//    remembered with its mean sharpness (-log lasts) and the scatter of that; the other way is
+//    taken when it is sharper by `other_way` and twice the uncertainty of the difference;
+//  - is of the player's kind: no duller than `dull` times the strikes of late (who misses brakes
+//    more bluntly), no weaker than `weak` of their speed times deceleration.
+// With records further apart than 40 ms nothing is told. A movement whose ways up and down are the
+// same, begun at the bottom, may be told at its top.
 //
 // Follows Marshall, Moynihan, Rath 2002, "The Vodhran", 5: changes in velocity, changes in
 // direction and local minima of movement curves. Pure; real-time safe; one detector for each tip.
 #pragma once
 
+#include <array>
 #include <optional>
 
-#include "core/motion/local_fit.hpp"
-#include "core/motion/recent.hpp"
+#include "core/motion/swing_turn.hpp"
 
 namespace percussionist::motion {
 
 struct FreeStrikeSettings {
-    double least_speed = 0.4;       ///< of the way in [m/s]
-    double longest_contact = 0.06;  ///< from the way in to the way out [s]
-    double turned = 0.9;            ///< part of the velocity that is lost; above 1: it comes back
-    double least_deceleration = 40.0;  ///< mean, in the gap [m/s^2]
-    double sharpness = 2.5;            ///< deceleration in the gap over that beside it
-    double certainty = 8.0;            ///< jump of the velocity over its own uncertainty
-    double swing = 0.3;  ///< after a strike, so long, a turn the other way has to be harder [s]
-    double rest = 0.06;  ///< between strikes at least [s]
+    double least_speed = 0.18;        ///< of the swing, at its fastest [m/s]
+    double least_deceleration = 4.0;  ///< at its greatest [m/s^2]
+    double longest_turn = 0.13;       ///< speed over deceleration, where the stick comes back [s]
+    double longest_stop = 0.035;      ///< the same, where nobody knows yet [s]
+    double returned = 0.04;           ///< of the swing's depth, to have come back
+    double patience = 0.12;           ///< for that [s]
+    double weak = 0.02;               ///< of what strikes lately had
+    double dull = 1.4;                ///< of what strikes lately lasted
+    double other_way = 0.1;           ///< sharper, as a logarithm
+    double memory = 2.0;              ///< [s]
+    double rest = 0.06;               ///< between strikes at least [s]
 };
 
 struct FreeStrike {
     double time = 0.0;                     ///< of the turning point [s]
     double peak_time = 0.0;                ///< of the greatest deceleration [s]
-    double speed = 0.0;                    ///< of the way in, at its end [m/s]
-    double deceleration = 0.0;             ///< mean, in the gap [m/s^2]
-    Vector3 direction = Vector3::UnitX();  ///< of the way in
+    double speed = 0.0;                    ///< of the swing, at its fastest [m/s]
+    double deceleration = 0.0;             ///< at its greatest [m/s^2]
+    Vector3 direction = Vector3::UnitX();  ///< of the swing
     Vector3 place = Vector3::Zero();       ///< of the turning point [m]
 };
 
@@ -52,20 +57,39 @@ class FreeStrikeDetector {
     explicit FreeStrikeDetector(const FreeStrikeSettings& settings) : settings_(settings) {}
 
     std::optional<FreeStrike> add(const PathPoint& tip) noexcept;
-    void reset() noexcept { points_.clear(); }
+    void reset() noexcept;
     void set(const FreeStrikeSettings& settings) { settings_ = settings; }
 
   private:
-    bool is_swing_back(const Vector3& away, double deceleration) const noexcept;
-    double noise() noexcept;
-    std::optional<FreeStrike> judge(std::size_t gap, double noise) const noexcept;
-    void locate(FreeStrike& strike, const LocalFit& in, const LocalFit& out, const Vector3& away,
-                std::size_t gap) const noexcept;
+    /// Turns the same way, lately.
+    struct Way {
+        int count = 0;
+        double power = 0.0, log_speed = 0.0, sharpness = 0.0, squares = 0.0;
+        void add(const SwingTurn& turn, double new_sharpness) noexcept;
+        double variance() const noexcept;
+    };
+
+    void update_noise() noexcept;
+    std::optional<FreeStrike> judge(std::size_t at) noexcept;
+    std::optional<FreeStrike> wait() noexcept;
+    std::optional<FreeStrike> decide(const SwingTurn& turn) noexcept;
+    bool stands_out(const SwingTurn& turn) const noexcept;
+    bool was_before(const SwingTurn& turn) const noexcept;
+    bool is_players(const SwingTurn& turn) noexcept;
+    bool is_other_way(const Way& own) const noexcept;
+    SwingMeter meter() const { return {path_, noise_, begun_}; }
 
     FreeStrikeSettings settings_;
-    Recent<PathPoint, 20> points_;
+    RecentPath path_;
     Recent<double, 32> residuals_;
-    FreeStrike last_{.time = -1e9};
+    double noise_ = 0.0;                // [m]
+    Recent<SwingTurn, 6> turns_;        // that stood out
+    std::optional<SwingTurn> pending_;  // that may still come back
+    std::array<Way, 2> ways_;           // of strikes, and against it
+    Vector3 way_ = Vector3::UnitX();
+    double judged_ = -1e9;  // up to this point [s]
+    double begun_ = -1e9;   // the swing that is going on [s]
+    double struck_ = -1e9;  // last [s]
 };
 
 }  // namespace percussionist::motion

@@ -10,12 +10,6 @@
 
 namespace percussionist::io {
 
-ShortText short_text(const std::string& text) {
-    ShortText fixed{};
-    std::copy_n(text.begin(), std::min(text.size(), fixed.size() - 1), fixed.begin());
-    return fixed;
-}
-
 double steady_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
@@ -64,6 +58,8 @@ void FastrakTracker::Worker::obey(const TrackerOrder& order) {
                 }
             }
             return;
+        case TrackerOrder::Kind::kBoresight:
+            return set_boresight(order);
         case TrackerOrder::Kind::kRecord:
             return open_recorder(text);
         case TrackerOrder::Kind::kPlay:
@@ -78,6 +74,18 @@ void FastrakTracker::Worker::obey(const TrackerOrder& order) {
             }
             tell("devices-end");
             return;
+    }
+}
+
+void FastrakTracker::Worker::set_boresight(const TrackerOrder& order) {
+    Boresight& boresight = boresights_.at(static_cast<std::size_t>(order.station - 1));
+    if (!order.shown) {
+        boresight.turn.setIdentity();
+    } else if (boresight.last) {
+        boresight.turn = boresight.last->conjugate() * *order.shown;
+    } else {
+        tell("failed", {},
+             "boresight: station " + std::to_string(order.station) + ": no pose of it yet");
     }
 }
 

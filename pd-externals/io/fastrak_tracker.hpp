@@ -5,11 +5,14 @@
 // waits for the thread, which answers within milliseconds.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <optional>
 #include <string>
 #include <thread>
 
+#include "core/linear/pose.hpp"
 #include "core/motion/fastrak_settings.hpp"
 #include "io/serial_port.hpp"
 #include "io/spsc_ring.hpp"
@@ -17,8 +20,15 @@
 namespace percussionist::io {
 
 /// Text in a fixed place, cut where it does not fit: a queue's items must not allocate.
+/// What is longer is cut.
+template <std::size_t Size>
+std::array<char, Size> fixed_text(const std::string& text) {
+    std::array<char, Size> fixed{};
+    std::copy_n(text.begin(), std::min(text.size(), Size - 1), fixed.begin());
+    return fixed;
+}
 using ShortText = std::array<char, 200>;
-ShortText short_text(const std::string& text);
+using PathText = std::array<char, 1024>;
 
 struct TrackerEvent {
     enum class Kind { kPose, kStatus };
@@ -35,11 +45,23 @@ struct TrackerEvent {
 };
 
 struct TrackerOrder {
-    enum class Kind { kOpen, kClose, kSettings, kSend, kRecord, kPlay, kStop, kDevices };
+    enum class Kind {
+        kOpen,
+        kClose,
+        kSettings,
+        kSend,
+        kBoresight,
+        kRecord,
+        kPlay,
+        kStop,
+        kDevices
+    };
     Kind kind = Kind::kStop;
-    ShortText text{};  ///< of kOpen the device, of kSend the command, of kRecord and kPlay the file
+    PathText text{};  ///< of kOpen the device, of kSend the command, of kRecord and kPlay the file
     int baud = 0;
     motion::FastrakSettings settings;
+    int station = 1;                          ///< of kBoresight
+    std::optional<linear::Quaternion> shown;  ///< of kBoresight: now; none: what the unit says
 };
 
 /// On the steady clock [s].

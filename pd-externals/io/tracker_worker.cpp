@@ -20,8 +20,8 @@ void FastrakTracker::Worker::tell(const std::string& name, std::initializer_list
                                   const std::string& words) {
     TrackerEvent event;
     event.kind = TrackerEvent::Kind::kStatus;
-    event.name = short_text(name);
-    event.words = short_text(words);
+    event.name = fixed_text<sizeof(ShortText)>(name);
+    event.words = fixed_text<sizeof(ShortText)>(words);
     for (const double number : numbers) {
         event.numbers.at(static_cast<std::size_t>(event.number_count++)) = number;
     }
@@ -144,8 +144,11 @@ void FastrakTracker::Worker::take(const motion::ArrivedReading& arrived) {
         tell("error", {static_cast<double>(reading.station)}, motion::error_name(reading.error));
     }
     error = reading.error;
+    Boresight& boresight = boresights_.at(static_cast<std::size_t>(reading.station - 1));
+    boresight.last = reading.pose.orientation;
     if (played_.empty()) {
-        send({instant, reading.station, reading.pose});
+        const linear::Pose shown{reading.pose.position, reading.pose.orientation * boresight.turn};
+        send({instant, reading.station, shown});
     }
 }
 

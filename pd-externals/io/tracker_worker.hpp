@@ -28,6 +28,7 @@ class FastrakTracker::Worker {
 
     void obey_orders();
     void obey(const TrackerOrder& order);
+    void set_boresight(const TrackerOrder& order);
     void open_recorder(const std::string& path);
     void open_player(const std::string& path);
 
@@ -57,6 +58,13 @@ class FastrakTracker::Worker {
     std::size_t lost_told_ = 0;
     std::size_t overflowed_ = 0;
     std::array<char, motion::kFastrakStations> errors_{};
+
+    /// Kept here and not in the unit, which forgets what it was turned by when it loses power.
+    struct Boresight {
+        std::optional<linear::Quaternion> last;  ///< as the unit says
+        linear::Quaternion turn = linear::Quaternion::Identity();
+    };
+    std::array<Boresight, motion::kFastrakStations> boresights_;
 
     std::ofstream recorder_;
     double recording_since_ = 0.0;

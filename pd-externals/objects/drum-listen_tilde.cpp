@@ -17,16 +17,16 @@ namespace listening = percussionist::listening;
 using listening::LiveEvent;
 using listening::OwnDrums;
 
-std::string read_text(const char* path) {
+std::string read_text(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw std::runtime_error(std::string(path) + ": cannot be opened");
+    if (!file) throw std::runtime_error(path + ": cannot be opened");
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void write_text(const char* path, const std::string& text) {
+void write_text(const std::string& path, const std::string& text) {
     std::ofstream file(path, std::ios::binary);
     file << text;
-    if (!file.flush()) throw std::runtime_error(std::string(path) + ": cannot be written");
+    if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
 }
 
 class DrumListen : public Object {
@@ -48,10 +48,10 @@ class DrumListen : public Object {
     }
     void forget(const Arguments&) { listener_->set_own_drums({}); }
     void save(const Arguments& a) {
-        write_text(a.word(0), listening::to_text(listener_->own_drums()));
+        write_text(path_of(a.word(0)), listening::to_text(listener_->own_drums()));
     }
     void load(const Arguments& a) {
-        listener_->set_own_drums(listening::own_drums_from_text(read_text(a.word(0))));
+        listener_->set_own_drums(listening::own_drums_from_text(read_text(path_of(a.word(0)))));
     }
 
     void sensitivity(const Arguments& a) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/linear/euler.hpp"
 #include "core/motion/pose_table.hpp"
 #include "core/motion/pose_trail.hpp"
 #include "io/clock_map.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 using namespace percussionist::pdx;
 namespace io = percussionist::io;
+namespace linear = percussionist::linear;
 namespace motion = percussionist::motion;
 using motion::Vector3;
 
@@ -36,7 +38,7 @@ class Fastrak : public Object {
     void open(const Arguments& a) {
         io::TrackerOrder order;
         order.kind = io::TrackerOrder::Kind::kOpen;
-        order.text = io::short_text(a.word(0));
+        order.text = io::fixed_text<sizeof(io::PathText)>(a.word(0));
         order.baud = a.integer(1);
         give(order);
         settle();
@@ -104,11 +106,9 @@ class Fastrak : public Object {
         settle();
     }
     void boresight(const Arguments& a) {
-        at(a).boresight = vector(a, 1);
-        const auto commands = station_commands(a.integer(0), at(a));
-        command(commands.at(2) + 'B' + std::to_string(a.integer(0)) + '\r');
+        turn(a, linear::to_quaternion({a.number(1), a.number(2), a.number(3)}));
     }
-    void unboresight(const Arguments& a) { command('b' + std::to_string(a.integer(0)) + '\r'); }
+    void unboresight(const Arguments& a) { turn(a, std::nullopt); }
     void filter(const Arguments& a) {
         auto& filter = *choose<std::optional<motion::Filter>*>(
             a.word(0),
@@ -121,8 +121,8 @@ class Fastrak : public Object {
     }
     void reset(const Arguments&) { command("\x19"); }
 
-    void record(const Arguments& a) { order(io::TrackerOrder::Kind::kRecord, a.word(0)); }
-    void play(const Arguments& a) { order(io::TrackerOrder::Kind::kPlay, a.word(0)); }
+    void record(const Arguments& a) { order(io::TrackerOrder::Kind::kRecord, path_of(a.word(0))); }
+    void play(const Arguments& a) { order(io::TrackerOrder::Kind::kPlay, path_of(a.word(0))); }
     void stop(const Arguments&) { order(io::TrackerOrder::Kind::kStop); }
 
     /// The signals are as late as the messages and one record more, to have one on either side.
@@ -166,8 +166,15 @@ class Fastrak : public Object {
     void order(io::TrackerOrder::Kind kind, const std::string& text = "") {
         io::TrackerOrder order;
         order.kind = kind;
-        order.text = io::short_text(text);
+        order.text = io::fixed_text<sizeof(io::PathText)>(text);
         order.settings = settings_;
+        give(order);
+    }
+    void turn(const Arguments& a, const std::optional<linear::Quaternion>& shown) {
+        io::TrackerOrder order;
+        order.kind = io::TrackerOrder::Kind::kBoresight;
+        order.station = a.integer(0);
+        order.shown = shown;
         give(order);
     }
     void settle() { order(io::TrackerOrder::Kind::kSettings); }

@@ -30,10 +30,10 @@ double number_at(const pdx::Arguments& a, std::size_t i) {
     return a.number(i);
 }
 
-std::string text_of(const char* path) {
+std::string text_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) {
-        throw std::runtime_error(std::string("cannot open '") + path + "'");
+        throw std::runtime_error("cannot open '" + path + "'");
     }
     return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -106,7 +106,7 @@ void ModalDrum::membrane(const pdx::Arguments&) {
 }
 
 void ModalDrum::read(const pdx::Arguments& a) {
-    tune(modal::parse_modes(text_of(a.word(0))), loss());
+    tune(modal::parse_modes(text_of(path_of(a.word(0)))), loss());
 }
 
 void ModalDrum::given(const pdx::Arguments& a) {

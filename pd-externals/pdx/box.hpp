@@ -26,6 +26,7 @@ struct Box {
     t_object header;
     t_float unconnected_inlet;
     const Known* known;
+    t_glist* canvas;  ///< of the patch that it is in
     Object* object;
     t_outlet** outlets;
     std::size_t outlet_count;

@@ -196,6 +196,10 @@ void FakeHost::set_array(const std::string& name, const std::vector<double>& val
     }
 }
 
+void FakeHost::set_patch_folder(const std::string& path) {
+    state().patch_folder = path;
+}
+
 std::vector<std::string> FakeHost::errors() {
     return std::exchange(state().errors, {});
 }

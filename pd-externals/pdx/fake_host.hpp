@@ -79,6 +79,9 @@ class FakeHost {
     /// An array of Pd.
     void set_array(const std::string& name, const std::vector<double>& values);
 
+    /// Where the patch with all the objects is.
+    void set_patch_folder(const std::string& path);
+
     std::vector<std::string> errors();  ///< since the last call
     std::vector<std::string> posts();
 

@@ -183,6 +183,16 @@ void pd_error(const void*, const char* format, ...) {
     va_end(arguments);
 }
 
+t_glist* canvas_getcurrent() {
+    return nullptr;
+}
+
+void canvas_makefilename(const t_glist*, const char* file, char* result, int size) {
+    const bool beside_patch = *file != '/' && !state().patch_folder.empty();
+    const std::string path = beside_patch ? state().patch_folder + '/' + file : file;
+    result[path.copy(result, static_cast<std::size_t>(size) - 1)] = '\0';
+}
+
 void post(const char* format, ...) {
     va_list arguments;
     va_start(arguments, format);

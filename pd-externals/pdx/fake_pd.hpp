@@ -59,6 +59,7 @@ struct State {
     std::vector<std::function<void()>> chain;
     std::vector<std::string> errors;
     std::vector<std::string> posts;
+    std::string patch_folder;  ///< of all objects; none: where the program runs
 };
 
 State& state();

@@ -48,6 +48,15 @@ void Object::error(const std::string& text) const {
     }
 }
 
+std::string Object::path_of(const char* file) const {
+    std::array<char, MAXPDSTRING> path{};
+    if (!box_) {
+        return file;
+    }
+    canvas_makefilename(box_->canvas, file, path.data(), static_cast<int>(path.size()));
+    return path.data();
+}
+
 double Object::now() {
     return logical_seconds();
 }

@@ -73,6 +73,8 @@ class Object {
     void error(const std::string& text) const;
 
   protected:
+    /// A file that a message names: beside the patch, unless the name says where.
+    std::string path_of(const char* file) const;
     /// Logical time [s]: exact within a block, the same for all that happens at once.
     static double now();
     /// How far Pd moves logical time on at once [s].

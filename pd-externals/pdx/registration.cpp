@@ -186,6 +186,7 @@ void* create(t_symbol* typed_name, int count, t_atom* atoms) noexcept {
     }
     auto* const box = reinterpret_cast<Box*>(pd_new(found->second.pd_class));
     box->known = &found->second;
+    box->canvas = canvas_getcurrent();
     guarded(Making{box}, "", [&] {
         const Description& table = box->known->table;
         const auto given = from_pd(count, atoms);

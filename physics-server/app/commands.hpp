@@ -15,6 +15,12 @@ void add_describe_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 /// plan: a score as gestures, with pictures; says what cannot be played.
 void add_plan_command(CLI::App& program);
+/// replay: a recording of serve, played again and compared.
+void add_replay_command(CLI::App& program);
+/// film: a score played, seen and heard, as a film.
+void add_film_command(CLI::App& program);
+/// figure: the shapes that the viewer shows.
+void add_figure_command(CLI::App& program);
 /// check: how well a recording agrees with the contacts of its performance.
 void add_check_command(CLI::App& program);
 /// samples: the drum's strokes as files, for the patches' sample voice.

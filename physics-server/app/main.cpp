@@ -20,6 +20,9 @@ int main(int argc, char** argv) {
         add_describe_command(program);
         add_render_command(program);
         add_plan_command(program);
+        add_replay_command(program);
+        add_film_command(program);
+        add_figure_command(program);
         add_check_command(program);
         add_samples_command(program);
         add_fastrak_sim_command(program);

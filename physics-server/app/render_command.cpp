@@ -1,17 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
-#include "app/bvh_writer.hpp"
 #include "app/commands.hpp"
-#include "app/drum_sound.hpp"
 #include "app/opening_messages.hpp"
-#include "app/performance.hpp"
+#include "app/performance_files.hpp"
 #include "app/simulation_flags.hpp"
 
 namespace percussionist::app {
@@ -22,8 +18,7 @@ struct RenderOptions {
     std::filesystem::path score;
     std::filesystem::path folder;
     std::vector<std::string> messages;
-    double frames = 120.0;  ///< a second, of the motion [Hz]
-    int sample_rate = 48000;
+    FileOptions files;
     sim::SimulationOptions simulation;
 };
 
@@ -33,28 +28,18 @@ void render(const RenderOptions& options) {
     fmt::print("score: {}: {} of {} notes as strokes\n", score.title, score.strokes.size(),
                score.notes);
 
-    std::filesystem::create_directories(options.folder);
     Performance performance(options.simulation);
     Steering steering(performance, body::built_in_gestures());
-    BvhWriter motion(options.folder / "motion.bvh", performance.simulation().skeleton(),
-                     1.0 / options.frames);
+    PerformanceFiles files(options.folder, options.files, performance, options.simulation);
     performance.load(std::move(score.strokes));
     obey(steering, options.messages);
     performance.play();
-    int frames = 0;
     while (performance.playing()) {
         performance.step();
-        if (performance.simulation().time() * options.frames >= frames) {
-            motion.add(performance.simulation().placement());
-            ++frames;
-        }
+        files.stepped();
     }
-    motion.finish();
-    performance.log().write_csv(options.folder / "contacts.csv");
-    const files::Audio sound = drum_sound(performance.log(), performance.simulation().time(),
-                                          options.sample_rate, options.simulation.head);
-    files::write_wav(options.folder / "performance.wav", sound);
-    fmt::print("{}peak level         {:.3f}\n", describe(performance.summary()), peak(sound));
+    const double peak = files.finish();
+    fmt::print("{}peak level         {:.3f}\n", describe(performance.summary()), peak);
 }
 
 }  // namespace
@@ -63,17 +48,13 @@ void add_render_command(CLI::App& program) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App& command = *program.add_subcommand(
         "render",
-        "play a score as fast as it can into files: contacts.csv, motion.bvh, performance.wav");
+        "play a score as fast as it can into files: contacts.csv, motion.bvh, motion.glb, "
+        "performance.wav");
     command.add_option("score", options->score,
                        "a MIDI or MusicXML file; none: the built-in piece");
     command.add_option("-o,--output", options->folder, "folder for the files")->required();
-    command.add_option("--frames", options->frames, "of the motion [Hz]")
-        ->check(CLI::Range(1.0, 1000.0))
-        ->capture_default_str();
-    command.add_option("--sample-rate", options->sample_rate, "of the sound [Hz]")
-        ->check(CLI::Range(8000, 192000))
-        ->capture_default_str();
     add_opening_flag(command, options->messages);
+    add_file_flags(command, options->files);
     add_simulation_flags(command, options->simulation);
     command.callback([options] { render(*options); });
 }

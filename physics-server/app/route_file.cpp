@@ -1,23 +1,16 @@
 #include "app/route_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <stdexcept>
 
+#include "app/named_file.hpp"
 #include "files/text_file.hpp"
 #include "osc/route.hpp"
 
 namespace percussionist::app {
 
 namespace {
-
-bool plain(const std::string& name) {
-    return !name.empty() && name.size() <= 64 &&
-           std::all_of(name.begin(), name.end(), [](unsigned char c) {
-               return std::isalnum(c) != 0 || c == '-' || c == '_';
-           });
-}
 
 /// Whoever asks for routes to be saved may not fill the disk.
 constexpr std::ptrdiff_t kMostFiles = 100;
@@ -53,10 +46,7 @@ std::vector<std::string> read_routes(const std::filesystem::path& path) {
 
 void write_routes(const std::filesystem::path& folder, const std::string& name,
                   const std::vector<std::pair<int, std::string>>& routes) {
-    if (!plain(name)) {
-        throw std::runtime_error("expected a name of letters, digits, - and _, got '" + name + "'");
-    }
-    const std::filesystem::path path = folder / (name + ".routes");
+    const std::filesystem::path path = named_file(folder, name, ".routes");
     if (!std::filesystem::exists(path) && route_files(folder) >= kMostFiles) {
         throw std::runtime_error(folder.string() + ": holds 100 files of routes already");
     }

@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
 #include "app/drum_midi.hpp"
+#include "app/temporary_folder.hpp"
 #include "core/listening/beats.hpp"
 #include "core/listening/transcription.hpp"
 #include "files/midi_file.hpp"
 #include "files/musicxml_file.hpp"
+#include "files/text_file.hpp"
 #include "files/wav_file.hpp"
 
 namespace percussionist::app {
@@ -46,6 +50,12 @@ score::Score read_score(const std::filesystem::path& path, std::vector<std::stri
     return files::midi_to_score(file);
 }
 
+ScoreSource source_of(const std::filesystem::path& path) {
+    if (path.empty()) return {};
+    std::ifstream in(path, std::ios::binary);
+    return {path.filename().string(), {std::istreambuf_iterator<char>(in), {}}};
+}
+
 }  // namespace
 
 LoadedScore load_score(const std::filesystem::path& path) {
@@ -60,7 +70,17 @@ LoadedScore load_score(const std::filesystem::path& path) {
     loaded.title = score.title.empty() ? path.filename().string() : score.title;
     loaded.notes = score.notes.size();
     loaded.strokes = std::move(plan.strokes);
+    loaded.source = source_of(path);
     return loaded;
+}
+
+LoadedScore load_kept_score(const ScoreSource& source) {
+    if (source.name.empty()) return load_score(std::filesystem::path());
+    // Readers of recordings want a file; the name's last part alone, whatever the recording says.
+    const TemporaryFolder folder;
+    const auto path = folder.path() / std::filesystem::path(source.name).filename();
+    files::write_text(path, std::string(source.bytes.begin(), source.bytes.end()));
+    return load_score(path);
 }
 
 std::filesystem::path score_in_folder(const std::filesystem::path& folder,

@@ -9,16 +9,26 @@
 
 namespace percussionist::app {
 
+/// A score's file as it was read; no name: the built-in score.
+struct ScoreSource {
+    std::string name;
+    std::vector<char> bytes;
+};
+
 struct LoadedScore {
     std::string title;
     std::size_t notes = 0;
     std::vector<score::Stroke> strokes;
     std::vector<std::string> remarks;  ///< warnings of the reader, each note left out
+    ScoreSource source;
 };
 
 /// A Standard MIDI File, MusicXML, or a recording, whose drums are played; the built-in score if
 /// `path` is empty. Throws files::MidiError files::MusicXmlError or files::AudioError.
 LoadedScore load_score(const std::filesystem::path& path);
+
+/// The same from a file's bytes.
+LoadedScore load_kept_score(const ScoreSource& source);
 
 /// The file `name` inside `folder`, or an error: std::runtime_error if it lies outside or is not
 /// there. An empty name, or "built-in", is the built-in score (an empty path).

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 
@@ -11,26 +10,20 @@
 #include "app/route_file.hpp"
 #include "app/server.hpp"
 #include "app/simulation_flags.hpp"
+#include "app/stop_signals.hpp"
 
 namespace percussionist::app {
 
 namespace {
 
-std::atomic<bool> g_stop{false};
-
-void ask_to_stop(int) {
-    g_stop = true;
-}
-
 void serve(const ServeOptions& options) {
-    std::signal(SIGINT, ask_to_stop);
-    std::signal(SIGTERM, ask_to_stop);
+    const std::atomic<bool>& stop = stop_on_signals();
     SystemClock clock;
     Server server(options, clock);
     fmt::print("listening on {} port {}\n", options.endpoint.listen, server.port());
     std::fflush(stdout);
     ask_for_real_time();
-    server.run(g_stop);
+    server.run(stop);
     fmt::print("{}late steps         {}\n", describe(server.performance().summary()),
                server.late_steps());
 }
@@ -61,15 +54,18 @@ void add_serve_command(CLI::App& program) {
     command.add_option("--routes", *routes, "file of routes from the start");
     command
         .add_option("--scores", options->score_folder,
-                    "folder that /score may read from and /route/save write to")
+                    "folder that /score may read from, /record and /route/save write to")
         ->default_str(".");
     command.add_option("--gestures", options->gestures,
                        "file of gestures of your own, as `percussionist gestures add` writes it");
     command.add_flag("--play", options->play, "play at once, without waiting for /play");
     command.add_flag("--quit-at-end", options->quit_at_end, "end when the score has rung out");
     command.add_option("--log", options->log_folder, "folder for contacts.csv, written at the end");
+    command.add_option("--record", options->recording,
+                       "file for what is told, heard and played, from the start (replay plays it)");
     add_simulation_flags(command, options->simulation);
-    command.callback([options, routes] {
+    command.callback([options, routes, &command] {
+        options->settings = simulation_settings(command);
         if (!routes->empty()) options->endpoint.routes = read_routes(*routes);
         options->endpoint.before_sending = [] { ask_for_real_time(); };
         if (options->score_folder.empty()) options->score_folder = ".";

@@ -6,9 +6,11 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <type_traits>
 
 #include "app/gesture_library.hpp"
 #include "app/route_file.hpp"
+#include "osc/wire.hpp"
 
 namespace percussionist::app {
 
@@ -28,6 +30,19 @@ std::array<float, N> floats(const linear::Vector3& v) {
     return out;
 }
 
+/// As a recording holds it. Nothing of what depends on how busy the machine is (the status), or is
+/// told by routes alone.
+template <class Message>
+osc::Packet recorded(const Message& message) {
+    if constexpr (std::is_same_v<Message, osc::ContactMessage>) {
+        return osc::encode(message, {}, 0.0);
+    } else if constexpr (requires { osc::encode(message, 0.0); }) {
+        return osc::encode(message, 0.0);
+    } else {
+        return {};
+    }
+}
+
 }  // namespace
 
 Server::Server(const ServeOptions& options, WallClock& clock)
@@ -35,8 +50,10 @@ Server::Server(const ServeOptions& options, WallClock& clock)
       clock_(clock),
       performance_(options.simulation),
       steering_(performance_, load_gestures(options.gestures)),
-      endpoint_(options.endpoint, [&clock] { return clock.now(); }) {
-    use(load_score(options.score));
+      endpoint_(options.endpoint, [&clock] { return clock.now(); }),
+      tape_(options.settings) {
+    if (!options.recording.empty()) tape_.begin(options.recording);
+    if (!options.replay) use(load_score(options.score));
 }
 
 void Server::use(LoadedScore loaded) {
@@ -49,18 +66,34 @@ void Server::use(LoadedScore loaded) {
     fmt::print("score: {}: {} of {} notes as strokes\n", loaded.title, loaded.strokes.size(),
                loaded.notes);
     std::fflush(stdout);
+    tape_.loaded(steps(), loaded.source);
     performance_.load(std::move(loaded.strokes));
+}
+
+/// What a message says of the wall clock is simulated time until it leaves.
+template <class Message>
+void Server::tell(Message message) {
+    if (tape_.recording() || options_.told) {
+        const osc::Packet packet = recorded(message);
+        if (options_.told && !packet.empty()) options_.told(steps(), packet);
+        if (!packet.empty()) tape_.told(steps(), packet);
+    }
+    message.wall = wall(message.wall);
+    endpoint_.tell(std::move(message));
 }
 
 void Server::run(const std::atomic<bool>& stop) {
     start_ = clock_.now();
-    if (options_.play) play();
+    if (options_.play) hear({osc::Play{}, "/play", {}});
     while (!stop && !ended_) {
-        for (const osc::Command& command : endpoint_.take_commands()) obey(command);
-        if (steering_.take_changed()) tell_state();
+        for (const osc::Heard& heard : endpoint_.take_commands()) hear(heard);
         take_loaded_score();
         catch_up(clock_.now());
         clock_.sleep_until(wall(next_step_end()));
+    }
+    if (tape_.recording()) {
+        const std::string fault = tape_.end(steps());
+        if (!fault.empty()) fmt::print(stderr, "{}\n", fault);
     }
     write_log();
 }
@@ -78,7 +111,7 @@ void Server::catch_up(double now) {
         late_steps_ += static_cast<int>(behind / performance_.simulation().step_length());
         fmt::print(stderr, "held up for {:.2f} s: simulated time paused\n", behind);
     }
-    while (wall(next_step_end()) <= now) {
+    while (wall(next_step_end()) <= now && !ended_) {
         if (now - wall(next_step_end()) > kLate) ++late_steps_;
         step();
     }
@@ -91,6 +124,9 @@ double Server::next_step_end() const {
 }
 
 void Server::step() {
+    if (options_.replay) play_again();
+    if (ended_) return;
+    if (steering_.take_changed()) tell_state();
     const bool playing = performance_.playing();
     for (const LoggedContact& contact : performance_.step()) tell_contact(contact);
     for (const Asked& given : performance_.player().given()) tell_strike(given);
@@ -102,6 +138,7 @@ void Server::step() {
         tell_status();
     }
     if (playing && !performance_.playing()) tell_finished();
+    if (options_.stepped) options_.stepped(performance_);
 }
 
 void Server::obey(const osc::Command& command) {
@@ -113,6 +150,8 @@ void Server::obey(const osc::Command& command) {
         begin_loading(*score);
     } else if (const auto* save = std::get_if<osc::SaveRoutes>(&command)) {
         save_routes(*save);
+    } else if (const auto* wish = std::get_if<osc::Record>(&command)) {
+        record(*wish);
     } else {
         steer(command);
     }
@@ -152,7 +191,7 @@ void Server::play() {
     performance_.play();
     const Player& player = performance_.player();
     const double factor = player.tempo().factor(performance_.simulation().time());
-    endpoint_.tell(osc::StartedMessage{wall(player.origin()), static_cast<float>(factor)});
+    tell(osc::StartedMessage{player.origin(), static_cast<float>(factor)});
 }
 
 void Server::save_routes(const osc::SaveRoutes& wish) {
@@ -189,7 +228,7 @@ void Server::tell_contact(const LoggedContact& contact) {
     m.hand = static_cast<int>(c.hand);
     m.drum = c.drum;
     m.stroke = contact.stroke;
-    m.wall = wall(c.instant);
+    m.wall = c.instant;
     m.instant = c.instant;
     m.place = floats<2>(c.place);
     m.velocity = floats<3>(c.velocity);
@@ -198,22 +237,21 @@ void Server::tell_contact(const LoggedContact& contact) {
     m.duration = static_cast<float>(c.duration);
     m.mass = static_cast<float>(c.effective_mass);
     m.recontact = c.recontact;
-    endpoint_.tell(m);
+    tell(m);
 }
 
 void Server::tell_strike(const Asked& given) {
     const double now = performance_.simulation().time();
-    endpoint_.tell(
-        osc::StrikeMessage{wall(now), static_cast<int>(given.hand), static_cast<int>(given.stroke),
-                           static_cast<float>(given.time - now), static_cast<float>(given.speed),
-                           static_cast<float>(given.height)});
+    tell(osc::StrikeMessage{now, static_cast<int>(given.hand), static_cast<int>(given.stroke),
+                            static_cast<float>(given.time - now), static_cast<float>(given.speed),
+                            static_cast<float>(given.height)});
 }
 
 void Server::tell_pose() {
     next_pose_ += kPoseInterval;
     osc::PoseMessage pose;
     const sim::Simulation& simulation = performance_.simulation();
-    pose.wall = wall(simulation.time());
+    pose.wall = simulation.time();
     const body::Placement& placement = simulation.placement();
     for (int i = 0; i < simulation.skeleton().size(); ++i) {
         const linear::Quaternion& q = placement.orientation[i];
@@ -222,44 +260,43 @@ void Server::tell_pose() {
                                {static_cast<float>(q.w()), static_cast<float>(q.x()),
                                 static_cast<float>(q.y()), static_cast<float>(q.z())}});
     }
-    endpoint_.tell(std::move(pose));
+    tell(std::move(pose));
 }
 
 void Server::tell_scene() {
     const sim::Simulation& simulation = performance_.simulation();
     osc::SceneMessage scene;
-    scene.wall = wall(simulation.time());
+    scene.wall = simulation.time();
     for (const body::Segment& s : simulation.skeleton().segments) {
         const linear::Vector3 middle = 0.5 * (s.joint_rest + s.end_rest) - s.com_rest;
         scene.bodies.push_back({s.name, floats<3>(middle), floats<3>(s.size)});
     }
     scene.drums.push_back({0, floats<3>(simulation.head_centre()),
                            static_cast<float>(simulation.options().head.membrane.radius)});
-    endpoint_.tell(std::move(scene));
+    tell(std::move(scene));
 }
 
 void Server::tell_state() {
-    endpoint_.tell(steering_.state(wall(performance_.simulation().time())));
+    tell(steering_.state(performance_.simulation().time()));
 }
 
 void Server::tell_status() {
     next_status_ += kStatusInterval;
     const double time = performance_.simulation().time();
     osc::StatusMessage status;
-    status.wall = wall(time);
+    status.wall = time;
     status.time = time;
     status.load = static_cast<float>(busy_ / kStatusInterval);
     status.late_steps = late_steps_;
     status.strokes = performance_.player().asked();
     status.contacts = static_cast<int>(performance_.log().contacts().size());
     busy_ = 0.0;
-    endpoint_.tell(status);
+    tell(status);
 }
 
 void Server::tell_finished() {
     const TimingSummary summary = performance_.summary();
-    endpoint_.tell(osc::FinishedMessage{wall(performance_.simulation().time()), summary.strokes,
-                                        summary.contacts});
+    tell(osc::FinishedMessage{performance_.simulation().time(), summary.strokes, summary.contacts});
     ended_ = options_.quit_at_end;
 }
 

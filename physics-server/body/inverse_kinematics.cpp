@@ -12,6 +12,8 @@ namespace {
 constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 /// Of a tip in one iteration [m].
 constexpr double kLongestStep = 0.10;
+/// Of the pull to rest where the Jacobian's transpose is used, a share.
+constexpr double kTransposePull = 0.3;
 /// A learnt step need not come nearer than this [m].
 constexpr double kGoodEnough = 0.0005;
 /// Of tips reached by hands alone: iterations, and the damping, for a stick cannot be drawn along
@@ -146,13 +148,16 @@ void InverseKinematics::fill_jacobian(const Placement& placement) {
 }
 
 void InverseKinematics::fill_pull(const Posture& posture) {
+    // The transpose does not quite undo what the pull does to the tips.
+    const bool transpose = options_.inverse == Inverse::transpose;
+    const double pull = (transpose ? kTransposePull : 1.0) * options_.rest_pull;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         const Column& c = columns_[k];
         const Vector3 away =
             linear::quaternion_log(rest_.joints[c.segment].conjugate() * posture.joints[c.segment]);
         for (int a = 0; a < 3; ++a) {
             const auto column = static_cast<Eigen::Index>(3 * k) + a;
-            pull_[column] = c.weight[a] > 0.0 ? -options_.rest_pull * away[a] : 0.0;
+            pull_[column] = c.weight[a] > 0.0 ? -pull * away[a] : 0.0;
         }
     }
 }
@@ -236,7 +241,9 @@ void InverseKinematics::iterate(const ArmTargets& targets, Posture& posture, Pla
     fill_jacobian(placement);
     fill_pull(posture);
     const Tasks error = errors(targets, placement);
-    step(error, placement, options_.arms);
+    // The transpose goes along the readiest directions alone; unequal ones it hardly follows.
+    const bool transpose = options_.inverse == Inverse::transpose;
+    step(error, placement, transpose ? 1.0 : options_.arms);
     if (options_.inverse != Inverse::learnt) {
         turn(posture, options_.largest_turn);
         forward_kinematics(skeleton_, posture, placement);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "files/musicxml_part.hpp"
+#include "files/mxl_file.hpp"
 
 namespace percussionist::files {
 
@@ -40,9 +41,10 @@ std::string title_of(const pugi::xml_node& root) {
 
 score::Score parse_musicxml(std::span<const char> bytes, std::string_view name) {
     const std::string file(name);
-    if (bytes.size() >= 2 && bytes[0] == 'P' && bytes[1] == 'K') {
-        throw MusicXmlError(file +
-                            ": expected uncompressed MusicXML, found a compressed one (.mxl)");
+    if (is_mxl(bytes)) {
+        const std::vector<char> unpacked = unpack_mxl(bytes, name, kLargestFile);
+        if (is_mxl(unpacked)) throw MusicXmlError(file + ": expected MusicXML, found an archive");
+        return parse_musicxml(unpacked, name);
     }
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer(bytes.data(), bytes.size());

@@ -1,8 +1,8 @@
 // MusicXML, what notation programs export: bytes in, a score out.
 //
-// Reads score-partwise (3.x and 4.0), uncompressed: all parts together, durations and chords,
-// backup and forward, repeats with endings, time signatures, tempo marks (with accelerando and
-// ritardando between two of them), dynamics and hairpins, unpitched instruments by their MIDI
+// Reads score-partwise (3.x and 4.0), plain or compressed (.mxl): all parts together, durations and
+// chords, backup and forward, repeats with endings, time signatures, tempo marks (with accelerando
+// and ritardando between two of them), dynamics and hairpins, unpitched instruments by their MIDI
 // number. Articulations are nuances: accent -> accent, strong accent -> vertical accent,
 // staccato -> staccato, staccatissimo -> piston, tenuto -> tenuto. Tremolos become the strokes they
 // stand for; grace notes stand before their note, closer than any beat (flam, drag, ruff).

@@ -41,6 +41,7 @@ Feed feed(const std::string& name) {
     return name == "all" ? Feed::all : Feed::sound;
 }
 
+constexpr double kFloatGrain = 1e-7;
 /// /play and /stop come first, then the manner of playing.
 constexpr int kBeforeManner = 2;
 
@@ -109,6 +110,12 @@ std::vector<Address> make_table() {
          [](Arguments a, const Peer& from) -> Command {
              return SaveRoutes{text(a, 0, ""), from};
          }},
+        {"/record",
+         "record what is played to FILE.recording in the server's folder; without FILE no longer",
+         {{"FILE", "", true, false}},
+         [](Arguments a, const Peer& from) -> Command {
+             return Record{text(a, 0, ""), from};
+         }},
         {"/ping",
          "answered by /pong to the asker",
          {},
@@ -151,6 +158,24 @@ std::string wrong(const Parameter& p, const Argument& got) {
     }
     return fmt::format("{}: expected a number from {:g} to {:g}{}{}, got {}", p.name, p.least,
                        p.most, *p.unit != '\0' ? " " : "", p.unit, shown);
+}
+
+/// A bound that came as a float may be a little beyond itself.
+double settled(const Parameter& p, double value) {
+    const auto is = [value](double bound) {
+        return std::abs(value - bound) <= kFloatGrain * std::abs(bound);
+    };
+    return is(p.least) ? p.least : is(p.most) ? p.most : value;
+}
+
+std::vector<Argument> settled(const Address& address, std::span<const Argument> arguments) {
+    std::vector<Argument> all(arguments.begin(), arguments.end());
+    for (std::size_t i = 0; i < std::min(all.size(), address.parameters.size()); ++i) {
+        const Parameter& p = address.parameters[i];
+        auto* value = std::get_if<double>(&all[i]);
+        if (value != nullptr && !p.text) *value = settled(p, *value);
+    }
+    return all;
 }
 
 bool fits(const Parameter& p, const Argument& got) {
@@ -210,9 +235,10 @@ std::variant<Command, Refusal> understand(const std::string& path,
                                           std::span<const Argument> arguments, const Peer& sender) {
     for (const Address& address : address_table()) {
         if (path != address.path) continue;
-        const std::string reason = fault(address, arguments);
+        const std::vector<Argument> given = settled(address, arguments);
+        const std::string reason = fault(address, given);
         if (!reason.empty()) return Refusal{path, reason};
-        return address.make(arguments, sender);
+        return address.make(given, sender);
     }
     constexpr std::size_t kLongest = 80;
     return Refusal{path.substr(0, kLongest), "no such address; /describe lists them"};

@@ -113,10 +113,16 @@ struct SaveRoutes {
     std::string file;
     Peer asker;
 };
+/// Records what is played to FILE; an empty one: no longer.
+struct Record {
+    std::string file;
+    Peer asker;
+};
 
 using Command = std::variant<Play, Stop, Tempo, Rubato, SetGrip, SetNuance, SetHeight, SetPlace,
                              SetLeading, SetHeadHeight, SetMembrane, SetMallet, SetTracking,
                              SetInverse, SetLaw, SetGain, LoadScore, Subscribe, Unsubscribe, Ping,
-                             Describe, AddRoute, ChangeRoute, RemoveRoute, ListRoutes, SaveRoutes>;
+                             Describe, AddRoute, ChangeRoute, RemoveRoute, ListRoutes, SaveRoutes,
+                             Record>;
 
 }  // namespace percussionist::osc

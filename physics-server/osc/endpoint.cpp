@@ -74,12 +74,12 @@ void Endpoint::tell(Outgoing message) {
     wake_.notify_one();
 }
 
-std::vector<Command> Endpoint::take_commands() {
+std::vector<Heard> Endpoint::take_commands() {
     const std::unique_lock lock(commands_mutex_, std::try_to_lock);
     if (!lock) return {};  // they wait for the next step
     const auto end = commands_.begin() +
                      static_cast<std::ptrdiff_t>(std::min(commands_.size(), kCommandsAtOnce));
-    std::vector<Command> taken(std::move_iterator(commands_.begin()), std::move_iterator(end));
+    std::vector<Heard> taken(std::move_iterator(commands_.begin()), std::move_iterator(end));
     commands_.erase(commands_.begin(), end);
     return taken;
 }
@@ -109,7 +109,8 @@ void Endpoint::hear(std::span<const char> packet, const sockaddr_in& from) {
             refuse(*refusal, sender);
         } else if (const auto& command = std::get<Command>(said); !handled(command)) {
             const std::lock_guard lock(commands_mutex_);
-            if (commands_.size() < kMostCommands) commands_.push_back(command);
+            if (commands_.size() >= kMostCommands) return;
+            commands_.push_back({command, path, {arguments.begin(), arguments.end()}});
         }
     };
     if (!decode(packet, message)) {

@@ -34,6 +34,13 @@ struct EndpointOptions {
     std::function<void()> before_sending = [] {};
 };
 
+/// A command, and the message that it was.
+struct Heard {
+    Command command;
+    std::string address;
+    std::vector<Argument> arguments;
+};
+
 class Endpoint {
   public:
     /// Both threads start here. `wall` reads the server's steady wall clock [s]; called from the
@@ -53,7 +60,7 @@ class Endpoint {
     /// A question's answer, to the asker alone, unless it asks too often (AnswerBudget).
     void answer(const Peer& asker, const std::string& address, std::vector<std::string> texts);
     /// What has been asked for, in order, a few at a time: obeying takes time. Simulating thread.
-    std::vector<Command> take_commands();
+    std::vector<Heard> take_commands();
 
   private:
     struct Repeat {
@@ -95,7 +102,7 @@ class Endpoint {
     // A lock each, none held for long: a flood keeps the hearing thread busy, and who holds a lock
     // may lose the processor; the simulating thread never waits for that one.
     std::mutex commands_mutex_;
-    std::deque<Command> commands_;
+    std::deque<Heard> commands_;
     std::mutex answers_mutex_;
     AnswerBudget answers_;
     std::mutex outgoing_mutex_;

@@ -37,6 +37,15 @@ Packet serialise(const Bundle& bundle) {
     return packet;
 }
 
+/// Takes the message.
+Packet serialise(const std::string& address, lo_message message) {
+    std::size_t size = lo_message_length(message, address.c_str());
+    Packet packet(size);
+    lo_message_serialise(message, address.c_str(), packet.data(), &size);
+    lo_message_free(message);
+    return packet;
+}
+
 void add(lo_message message, float value) {
     lo_message_add_float(message, value);
 }
@@ -57,14 +66,14 @@ lo_message make_message(const Values&... values) {
     return message;
 }
 
-/// Numbers become floats.
+template <class Number>
 lo_message make_message_of(std::span<const Argument> arguments) {
     lo_message message = lo_message_new();
     for (const Argument& argument : arguments) {
         if (const auto* text = std::get_if<std::string>(&argument)) {
             add(message, *text);
         } else {
-            add(message, static_cast<float>(std::get<double>(argument)));
+            add(message, static_cast<Number>(std::get<double>(argument)));
         }
     }
     return message;
@@ -227,7 +236,7 @@ Packet encode(const DroppedMessage& d) {
 
 Packet encode_routed(const std::string& address, std::span<const Argument> arguments, double tag) {
     Bundle bundle = make_bundle(tag);
-    lo_bundle_add_message(bundle.get(), address.c_str(), make_message_of(arguments));
+    lo_bundle_add_message(bundle.get(), address.c_str(), make_message_of<float>(arguments));
     return serialise(bundle);
 }
 
@@ -241,12 +250,11 @@ Packet encode_text(const std::string& address, std::span<const std::string> text
 }
 
 Packet encode_message(const std::string& address, std::span<const Argument> arguments) {
-    lo_message message = make_message_of(arguments);
-    std::size_t size = lo_message_length(message, address.c_str());
-    Packet packet(size);
-    lo_message_serialise(message, address.c_str(), packet.data(), &size);
-    lo_message_free(message);
-    return packet;
+    return serialise(address, make_message_of<float>(arguments));
+}
+
+Packet encode_exactly(const std::string& address, std::span<const Argument> arguments) {
+    return serialise(address, make_message_of<double>(arguments));
 }
 
 bool decode(std::span<const char> bytes, const Heard& heard) {

@@ -32,6 +32,8 @@ Packet encode_clock(double wall, double lookahead);
 /// A single message, to be acted on at once: of texts, or of numbers (floats) and texts.
 Packet encode_text(const std::string& address, std::span<const std::string> texts);
 Packet encode_message(const std::string& address, std::span<const Argument> arguments);
+/// The same with numbers as doubles, so that decode() gives back what went in.
+Packet encode_exactly(const std::string& address, std::span<const Argument> arguments);
 
 /// Calls `heard` for each message of a packet, bundled or not. False if it was not OSC.
 bool decode(std::span<const char> bytes,

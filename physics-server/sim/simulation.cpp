@@ -266,7 +266,9 @@ void Simulation::follow(std::shared_ptr<const body::Clip> clip) {
     begin_fade();
     kinematics_.set_rest(clip->mean());
     kinematics_.set_damping(kClipDamping);
-    kinematics_.set_rest_pull(kClipPull);
+    // Sticks alone have no posture that goes with them.
+    kinematics_.set_rest_pull(clip->has_own_tips() ? body::InverseKinematicsOptions().rest_pull
+                                                   : kClipPull);
     solution_ = clip->mean();
     clip_ = std::make_unique<body::ClipFollower>(std::move(clip), skeleton_);
     clip_start_ = time();

@@ -51,6 +51,7 @@ class Simulation {
     void step(std::vector<ContactEvent>& contacts);
 
     [[nodiscard]] double time() const { return static_cast<double>(steps_) * h_; }
+    [[nodiscard]] std::int64_t steps() const { return steps_; }
     [[nodiscard]] double step_length() const { return h_; }
     /// The earliest time for which something can still be asked: targets up to now are made.
     [[nodiscard]] double frontier() const { return time() + h_; }

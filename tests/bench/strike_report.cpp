@@ -2,12 +2,11 @@
 // where there are none: strike_report [FOLDER of fastrak-reaching].
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "core/motion/free_strike.hpp"
 #include "core/motion/plane_strike.hpp"
+#include "support/air_strokes.hpp"
 #include "support/strike_trials.hpp"
 
 using namespace percussionist;
@@ -21,7 +20,7 @@ namespace {
 constexpr int kTrials = 20;
 constexpr double kTolerance = 0.025;  // [s]
 
-std::vector<double> times(const std::vector<SyntheticStroke>& strokes, int end) {
+std::vector<double> stroke_times(const std::vector<SyntheticStroke>& strokes, int end) {
     std::vector<double> result;
     for (const auto& stroke : strokes) {
         if (stroke.end == end) {
@@ -37,25 +36,11 @@ Score on_plane(const Trial& trial, double ahead, double tolerance) {
         PlaneStrikeSettings settings;
         settings.tip_radius = trial.stick.tip_radius;
         settings.ahead = ahead;
-        PlaneStrikeDetector detector(settings);
-        PoseGate gate;
         const Pose drum_from_world = trial.world_from_drum.inverse();
-        std::vector<double> found;
-        for (const auto& pose : trial.poses) {
-            const auto verdict = gate.judge(pose);
-            if (verdict == PoseGate::Verdict::kFresh) {
-                detector.reset();
-            }
-            if (verdict > PoseGate::Verdict::kFresh) {
-                continue;
-            }
-            const auto strike =
-                detector.add({pose.time, drum_from_world * (pose.pose * trial.motion.tip(end))});
-            if (strike) {
-                found.push_back(strike->time);
-            }
-        }
-        sum.add(test::score(times(trial.strokes, end), found, tolerance));
+        const auto found = test::strikes_of(
+            PlaneStrikeDetector(settings), trial.poses,
+            [&](const Pose& stick) { return drum_from_world * (stick * trial.motion.tip(end)); });
+        sum.add(test::score(stroke_times(trial.strokes, end), test::times(found), tolerance));
     }
     return sum;
 }
@@ -64,34 +49,24 @@ struct FreeScores {
     Score turning, peak;
 };
 
-FreeScores in_air(const Trial& trial) {
-    FreeScores sum;
-    for (const int end : {0}) {
-        FreeStrikeDetector detector({});
-        PoseGate gate;
-        std::vector<double> turning, peak, truths;
-        for (const auto& stroke : trial.strokes) {
-            if (stroke.end == end) {
-                truths.push_back(trial.motion.turning_time(stroke));
-            }
-        }
-        for (const auto& pose : trial.poses) {
-            const auto verdict = gate.judge(pose);
-            if (verdict == PoseGate::Verdict::kFresh) {
-                detector.reset();
-            }
-            if (verdict > PoseGate::Verdict::kFresh) {
-                continue;
-            }
-            if (const auto strike = detector.add({pose.time, pose.pose * trial.motion.tip(end)})) {
-                turning.push_back(strike->time);
-                peak.push_back(strike->peak_time);
-            }
-        }
-        sum.turning.add(test::score(truths, turning, kTolerance));
-        sum.peak.add(test::score(truths, peak, kTolerance));
+FreeScores scores(const std::vector<FreeStrike>& found, const std::vector<double>& turns,
+                  const std::vector<double>& peaks) {
+    std::vector<double> found_peaks;
+    for (const auto& strike : found) {
+        found_peaks.push_back(strike.peak_time);
     }
-    return sum;
+    return {test::score(turns, test::times(found), kTolerance),
+            test::score(peaks, found_peaks, kTolerance)};
+}
+
+FreeScores in_air(const Trial& trial) {
+    const auto found = test::strikes_of(FreeStrikeDetector({}), trial.poses,
+                                        [&](const Pose& p) { return p * trial.motion.tip(0); });
+    std::vector<double> turns;
+    for (const auto& stroke : trial.strokes) {
+        turns.push_back(trial.motion.turning_time(stroke));
+    }
+    return scores(found, turns, turns);
 }
 
 void row(const std::string& name, const Score& s) {
@@ -128,6 +103,29 @@ void air_rows(const std::string& name, TrialSettings settings) {
         over_trials(settings, [](const Trial& t) { return in_air(t).peak; }));
 }
 
+/// The families of support/air_strokes.hpp.
+void family_rows(const std::string& name, const test::AirSettings& settings, unsigned first_seed) {
+    std::printf(
+        "\n%s\n\n| family | strikes | found | right | F | bias ms | deviation ms "
+        "|\n|---|---|---|---|---|---|---|\n",
+        name.c_str());
+    for (const auto& family : test::AirStrokes::families()) {
+        FreeScores sum;
+        for (unsigned i = 0; i < kTrials; ++i) {
+            test::AirSettings one = settings;
+            one.seed = first_seed + i;
+            const auto trial = test::AirStrokes(one).make(family);
+            const auto found = test::strikes_of(FreeStrikeDetector({}), trial.poses,
+                                                [](const Pose& tip) { return tip.position; });
+            const auto one_run = scores(found, trial.turns, trial.peaks);
+            sum.turning.add(one_run.turning);
+            sum.peak.add(one_run.peak);
+        }
+        row(family + ", turning point", sum.turning);
+        row(family + ", peak", sum.peak);
+    }
+}
+
 void reaching(const std::string& folder) {
     double seconds = 0.0;
     int strikes = 0;
@@ -135,38 +133,14 @@ void reaching(const std::string& folder) {
         if (entry.path().extension() != ".csv") {
             continue;
         }
-        std::ifstream file(entry.path());
-        std::string line;
-        std::getline(file, line);
-        FreeStrikeDetector detector({});
-        PoseGate gate;
-        double last = 0.0;
-        while (std::getline(file, line)) {
-            std::replace(line.begin(), line.end(), ',', ' ');
-            std::istringstream fields(line);
-            double time = 0.0;
-            Pose pose;
-            fields >> time >> pose.position.x() >> pose.position.y() >> pose.position.z();
-            linear::Matrix3 m;
-            for (int i = 0; i < 9; ++i) {
-                fields >> m(i / 3, i % 3);
-            }
-            pose.orientation = linear::Quaternion(m).normalized();
-            last = time;
-            const auto verdict = gate.judge({time, pose});
-            if (verdict == PoseGate::Verdict::kFresh) {
-                detector.reset();
-            }
-            if (verdict > PoseGate::Verdict::kFresh) {
-                continue;
-            }
-            if (const auto s = detector.add({time, pose.position})) {
-                ++strikes;
-                std::printf("%s t %.3f speed %.2f decel %.0f\n", entry.path().stem().c_str(),
-                            s->time, s->speed, s->deceleration);
-            }
+        const auto poses = test::reaching_poses(entry.path().string());
+        for (const auto& s : test::strikes_of(FreeStrikeDetector({}), poses,
+                                              [](const Pose& p) { return p.position; })) {
+            ++strikes;
+            std::printf("%s t %.3f speed %.2f decel %.0f\n", entry.path().stem().c_str(), s.time,
+                        s.speed, s.deceleration);
         }
-        seconds += last;
+        seconds += poses.empty() ? 0.0 : poses.back().time;
     }
     std::printf("\nreaching: %d strikes in %.1f s, %.2f a minute\n", strikes, seconds,
                 60 * strikes / seconds);
@@ -204,6 +178,10 @@ int main(int argc, char** argv) {
     air_rows("120 Hz, 50 ms", deep);
     air_rows("120 Hz, noise 1 mm", noisy);
     air_rows("60 Hz", sixty);
+    family_rows("Strokes in the air, 120 Hz, seeds that were developed on", {}, 5000);
+    family_rows("The same, seeds that were not", {}, 40000);
+    family_rows("The same, noise 1 mm", {.noise = 1e-3}, 40000);
+    family_rows("The same, 60 Hz", {.rate = 60}, 40000);
     if (argc > 1) {
         reaching(argv[1]);
     }

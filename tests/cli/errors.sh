@@ -23,6 +23,7 @@ expect() {
 expect 'a missing file' 'nowhere.mid' "$percussionist" render nowhere.mid -o "$work/out"
 head -c 2000 /dev/zero >"$work/broken.mid"
 expect 'a broken file' 'broken.mid: byte 0' "$percussionist" serve "$work/broken.mid" --port 0
+expect 'a broken recording' 'broken.mid: byte 0: expected' "$percussionist" replay "$work/broken.mid"
 expect 'an impossible folder' 'performance' "$percussionist" check "$work/performance.wav" "$work/c.csv"
 expect 'an unknown address' 'no host' "$percussionist" serve --listen no.such.host --port 0
 

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <random>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "core/motion/pose_gate.hpp"
@@ -107,6 +110,57 @@ inline Trial make_trial(const TrialSettings& s) {
         trial.poses.push_back({time, pose});
     }
     return trial;
+}
+
+/// Runs one end's path through the gate and a detector; its strikes.
+template <class Detector, class Place>
+auto strikes_of(Detector detector, const std::vector<TimedPose>& poses, Place place) {
+    std::vector<typename decltype(detector.add({}))::value_type> found;
+    motion::PoseGate gate;
+    for (const auto& pose : poses) {
+        const auto verdict = gate.judge(pose);
+        if (verdict == motion::PoseGate::Verdict::kFresh) {
+            detector.reset();
+        }
+        if (verdict == motion::PoseGate::Verdict::kFresh ||
+            verdict == motion::PoseGate::Verdict::kGood) {
+            if (const auto strike = detector.add({pose.time, place(pose.pose)})) {
+                found.push_back(*strike);
+            }
+        }
+    }
+    return found;
+}
+
+template <class Strikes>
+std::vector<double> times(const Strikes& strikes) {
+    std::vector<double> result;
+    for (const auto& strike : strikes) {
+        result.push_back(strike.time);
+    }
+    return result;
+}
+
+/// A recording of fastrak-reaching: time, position and the matrix by rows.
+inline std::vector<TimedPose> reaching_poses(const std::string& path) {
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    std::vector<TimedPose> poses;
+    while (std::getline(file, line)) {
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream fields(line);
+        TimedPose pose;
+        fields >> pose.time >> pose.pose.position.x() >> pose.pose.position.y() >>
+            pose.pose.position.z();
+        linear::Matrix3 matrix;
+        for (int i = 0; i < 9; ++i) {
+            fields >> matrix(i / 3, i % 3);
+        }
+        pose.pose.orientation = linear::Quaternion(matrix).normalized();
+        poses.push_back(pose);
+    }
+    return poses;
 }
 
 struct Score {

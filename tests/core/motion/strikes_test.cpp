@@ -4,11 +4,9 @@
 
 #include "core/motion/free_strike.hpp"
 #include "core/motion/plane_strike.hpp"
+#include "support/air_strokes.hpp"
 #include "support/real_data.hpp"
 #include "support/strike_trials.hpp"
-
-#include <fstream>
-#include <sstream>
 
 using namespace percussionist;
 using namespace percussionist::motion;
@@ -18,42 +16,14 @@ using test::TrialSettings;
 
 namespace {
 
-/// Runs one end's path through a detector; its strikes.
-template <class Detector, class Place>
-auto strikes_of(Detector detector, const std::vector<TimedPose>& poses, Place place) {
-    std::vector<typename decltype(detector.add({}))::value_type> found;
-    PoseGate gate;
-    for (const auto& pose : poses) {
-        const auto verdict = gate.judge(pose);
-        if (verdict == PoseGate::Verdict::kFresh) {
-            detector.reset();
-        }
-        if (verdict == PoseGate::Verdict::kFresh || verdict == PoseGate::Verdict::kGood) {
-            if (const auto strike = detector.add({pose.time, place(pose.pose)})) {
-                found.push_back(*strike);
-            }
-        }
-    }
-    return found;
-}
-
 std::vector<PlaneStrike> on_plane(const Trial& trial, int end, double ahead = 0.02) {
     PlaneStrikeSettings settings;
     settings.tip_radius = trial.stick.tip_radius;
     settings.ahead = ahead;
     const Pose drum_from_world = trial.world_from_drum.inverse();
-    return strikes_of(PlaneStrikeDetector(settings), trial.poses, [&](const Pose& stick) {
+    return test::strikes_of(PlaneStrikeDetector(settings), trial.poses, [&](const Pose& stick) {
         return drum_from_world * (stick * trial.motion.tip(end));
     });
-}
-
-template <class Strikes>
-std::vector<double> times(const Strikes& strikes) {
-    std::vector<double> result;
-    for (const auto& strike : strikes) {
-        result.push_back(strike.time);
-    }
-    return result;
 }
 
 std::vector<SyntheticStroke> of_end(const std::vector<SyntheticStroke>& strokes, int end) {
@@ -70,8 +40,8 @@ Score plane_score(const TrialSettings& settings, double tolerance) {
         one.seed = seed;
         const Trial trial = test::make_trial(one);
         for (const int end : {0, 1}) {
-            sum.add(test::score(times(of_end(trial.strokes, end)), times(on_plane(trial, end)),
-                                tolerance));
+            sum.add(test::score(test::times(of_end(trial.strokes, end)),
+                                test::times(on_plane(trial, end)), tolerance));
         }
     }
     return sum;
@@ -149,9 +119,9 @@ TEST_CASE("beyond the drum's rim there is nothing to strike") {
     small.tip_radius = trial.stick.tip_radius;
     small.drum_radius = 1e-3;
     const Pose drum_from_world = trial.world_from_drum.inverse();
-    const auto found = strikes_of(PlaneStrikeDetector(small), trial.poses, [&](const Pose& stick) {
-        return drum_from_world * (stick * trial.motion.tip(0));
-    });
+    const auto found = test::strikes_of(
+        PlaneStrikeDetector(small), trial.poses,
+        [&](const Pose& stick) { return drum_from_world * (stick * trial.motion.tip(0)); });
     CHECK(found.size() < 5);
 }
 
@@ -166,16 +136,52 @@ TEST_CASE("without a plane strikes are told from the movement, wherever and howe
             settings.contact = contact;
             const Trial trial = test::make_trial(settings);
             const auto found =
-                strikes_of(FreeStrikeDetector({}), trial.poses,
-                           [&](const Pose& stick) { return stick * trial.motion.tip(0); });
+                test::strikes_of(FreeStrikeDetector({}), trial.poses,
+                                 [&](const Pose& stick) { return stick * trial.motion.tip(0); });
             std::vector<double> turns;
             for (const auto& stroke : trial.strokes) {
                 turns.push_back(trial.motion.turning_time(stroke));
             }
-            sum.add(test::score(turns, times(found), 0.025));
+            sum.add(test::score(turns, test::times(found), 0.025));
         }
         CHECK(sum.f() > 0.95);
         CHECK(std::abs(sum.bias()) < 5e-3);
+    }
+}
+
+TEST_CASE("strokes in the air are found whether they turn sharply or round, or stop") {
+    for (const auto& family : test::AirStrokes::families()) {
+        CAPTURE(family);
+        Score sum;
+        for (unsigned seed = 1; seed <= 20; ++seed) {
+            const auto trial = test::AirStrokes({.seed = seed}).make(family);
+            const auto found = test::strikes_of(FreeStrikeDetector({}), trial.poses,
+                                                [](const Pose& tip) { return tip.position; });
+            sum.add(test::score(trial.turns, test::times(found), 0.025));
+        }
+        CHECK(sum.f() > 0.93);
+    }
+}
+
+TEST_CASE("a turn's time scale does not depend on how large the movement is") {
+    for (const double size : {0.03, 0.1, 0.3}) {
+        FreeStrikeDetector detector({});
+        std::vector<FreeStrike> found;
+        constexpr double kOmega = 2 * M_PI * 3.0;
+        for (int i = 0; i < 600; ++i) {
+            const double t = i / 120.0;
+            if (const auto strike =
+                    detector.add({t, {0.0, 0.0, size * 0.5 * (1 + std::cos(kOmega * t))}})) {
+                found.push_back(*strike);
+            }
+        }
+        CHECK(found.size() >= 13);
+        for (const FreeStrike& strike : found) {
+            CHECK(strike.direction.z() == doctest::Approx(-1.0));
+            CHECK(strike.speed / strike.deceleration == doctest::Approx(1 / kOmega).epsilon(0.15));
+            const double turns = strike.time * 3.0 - 0.5;
+            CHECK(std::abs(turns - std::round(turns)) < 0.02);
+        }
     }
 }
 
@@ -183,23 +189,12 @@ TEST_CASE("reaching for things, as a real FASTRAK saw it, strikes nothing") {
     int strikes = 0;
     double seconds = 0.0;
     for (const auto& path : test::real_files("fastrak-reaching", ".csv")) {
-        std::ifstream file(path);
-        std::string line;
-        std::getline(file, line);
-        std::vector<TimedPose> poses;
-        while (std::getline(file, line)) {
-            std::replace(line.begin(), line.end(), ',', ' ');
-            std::istringstream fields(line);
-            TimedPose pose;
-            fields >> pose.time >> pose.pose.position.x() >> pose.pose.position.y() >>
-                pose.pose.position.z();
-            pose.pose.orientation = linear::Quaternion::Identity();
-            poses.push_back(pose);
-        }
+        const auto poses = test::reaching_poses(path);
         seconds += poses.empty() ? 0.0 : poses.back().time;
-        strikes += static_cast<int>(strikes_of(FreeStrikeDetector({}), poses, [](const Pose& p) {
-                                        return p.position;
-                                    }).size());
+        strikes +=
+            static_cast<int>(test::strikes_of(FreeStrikeDetector({}), poses, [](const Pose& p) {
+                                 return p.position;
+                             }).size());
     }
     CHECK(strikes * 60.0 <= 5 * seconds);
 }

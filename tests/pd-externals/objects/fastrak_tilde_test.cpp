@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -191,9 +192,35 @@ TEST_CASE("unplugged it says so once, and plugged in again it is as it was set")
     CHECK(studio.host.errors().size() == 1);
 }
 
-TEST_CASE("what is recorded plays as it was, without a unit") {
-    const std::string file = temporary("fastrak-recording-");
+TEST_CASE("a boresight outlives an unplugging") {
+    Studio studio(receivers(1));
+    Listener fastrak{studio.create({studio.link.c_str()}), {}, {}};
+    const auto mean_turn = [&] {
+        fastrak.poses.clear();
+        studio.until([&] { return fastrak.has_poses(60); });
+        double sum = 0.0;
+        for (const Sent& pose : fastrak.poses) {
+            sum += 2 * std::acos(std::min(1.0, std::abs(number(pose, 4))));
+        }
+        return sum / static_cast<double>(fastrak.poses.size());
+    };
+    const double as_it_is = mean_turn();
+    fastrak.object.message("boresight", {1.0, 0.0, 0.0, 0.0});
+    studio.pass(0.1);
+    CHECK(mean_turn() < 0.7 * as_it_is);
+    studio.order("unplug 0.3");
+    studio.until([&] { return fastrak.heard("lost-device"); });
+    CHECK(mean_turn() < 0.7 * as_it_is);
+    fastrak.object.message("unboresight", {1.0});
+    studio.pass(0.1);
+    CHECK(mean_turn() == doctest::Approx(as_it_is).epsilon(0.2));
+}
+
+TEST_CASE("what is recorded beside the patch plays as it was, without a unit") {
+    const std::filesystem::path place = temporary("fastrak-recording-");
     Studio studio(receivers(2));
+    studio.host.set_patch_folder(place.parent_path().string());
+    const std::string file = place.filename().string();
     std::vector<Sent> recorded;
     {
         Listener fastrak{studio.create({studio.link.c_str()}), {}, {}};
@@ -210,7 +237,7 @@ TEST_CASE("what is recorded plays as it was, without a unit") {
     Listener player{studio.create({}), {}, {}};
     player.object.message("play", {file.c_str()});
     studio.until([&] { return player.heard("played"); });
-    std::filesystem::remove(file);
+    CHECK(std::filesystem::remove(place));
     REQUIRE(player.poses.size() >= 20);
     // Poses that were on their way when recording began are not in it.
     std::size_t late = 0;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -79,6 +80,27 @@ TEST_CASE("server: two subscribers hear every contact, poses and status only who
     CHECK(all.contacts() == sound.contacts());
     CHECK(sound.count("/pose") == 0);
     CHECK(all.count("/pose") > 1000);
+}
+
+TEST_CASE("server: of two viewers and two that sound, one of each dies; the others hear all") {
+    RunningServer server;
+    OscListener sound(server.port()), viewer(server.port());
+    auto dying_sound = std::make_unique<OscListener>(server.port());
+    auto dying_viewer = std::make_unique<OscListener>(server.port());
+    for (OscListener* one : {&sound, dying_sound.get()}) one->send(subscription(*one, "sound"));
+    for (OscListener* one : {&viewer, dying_viewer.get()}) one->send(subscription(*one, "all"));
+    for (OscListener* one : {&sound, &viewer, dying_sound.get(), dying_viewer.get()}) {
+        REQUIRE(one->hears("/status"));
+    }
+    sound.send("/play");
+    REQUIRE(dying_sound->hears("/contact", 5));
+    dying_sound.reset();
+    dying_viewer.reset();
+    REQUIRE(sound.hears("/finished"));
+    REQUIRE(viewer.hears("/finished"));
+    CHECK(sound.contacts().size() == 153);
+    CHECK(viewer.contacts() == sound.contacts());
+    CHECK(viewer.count("/dropped") >= 2);
 }
 
 TEST_CASE("server: answers ping and describe; what it cannot understand it says to the sender") {

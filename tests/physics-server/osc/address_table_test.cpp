@@ -61,6 +61,21 @@ TEST_CASE("address table: a refusal is short, however long what it refuses") {
     CHECK(std::get<Refusal>(said).address.size() < 300);
 }
 
+TEST_CASE("address table: a bound is within the range, also when it came as a float") {
+    for (const Address& address : address_table()) {
+        std::vector<Argument> least, most;
+        for (const Parameter& p : address.parameters) {
+            if (p.text) break;
+            least.emplace_back(static_cast<double>(static_cast<float>(p.least)));
+            most.emplace_back(static_cast<double>(static_cast<float>(p.most)));
+        }
+        if (least.size() != address.parameters.size()) continue;
+        CAPTURE(address.path);
+        CHECK(refusal(address.path, least) == "");
+        CHECK(refusal(address.path, most) == "");
+    }
+}
+
 TEST_CASE("address table: an asker that names no host is sent to where it came from") {
     const auto said = understand("/subscribe", std::vector<Argument>{7771.0}, kSender);
     const auto* wish = std::get_if<Subscribe>(&std::get<Command>(said));

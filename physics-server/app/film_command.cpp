@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/drum_sound.hpp"
+#include "app/film_list.hpp"
+#include "app/opening_messages.hpp"
+#include "app/performance.hpp"
+#include "app/simulation_flags.hpp"
+#include "app/temporary_folder.hpp"
+#include "files/text_file.hpp"
+
+extern char** environ;
+
+namespace percussionist::app {
+
+namespace {
+
+struct FilmCommandOptions {
+    std::filesystem::path score, film;
+    std::filesystem::path project = PERCUSSIONIST_FOLDER;
+    std::vector<std::string> messages;
+    FilmOptions film_options;
+    sim::SimulationOptions simulation;
+};
+
+/// Runs a program to its end. Throws std::runtime_error if it cannot be run or fails.
+void run(const std::vector<std::string>& words) {
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    pid_t child = 0;
+    const int error =
+        posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ);
+    if (error != 0) throw std::runtime_error(words[0] + ": " + std::strerror(error));
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (status != 0) throw std::runtime_error("the film could not be made");
+}
+
+void film(const FilmCommandOptions& options) {
+    LoadedScore score = load_score(options.score);
+    for (const std::string& remark : score.remarks) fmt::print(stderr, "{}\n", remark);
+    fmt::print("score: {}: {} of {} notes as strokes\n", score.title, score.strokes.size(),
+               score.notes);
+    std::fflush(stdout);
+    const TemporaryFolder work;
+    Performance performance(options.simulation);
+    const sim::Simulation& simulation = performance.simulation();
+    FilmList list(work.path() / "film.txt", options.film_options);
+    list.scene(simulation, options.simulation.head.membrane.radius);
+    performance.load(std::move(score.strokes));
+    Steering steering(performance, body::built_in_gestures());
+    obey(steering, options.messages);
+    performance.play();
+    while (performance.playing()) {
+        for (const LoggedContact& contact : performance.step()) list.contact(contact.event);
+        list.stepped(simulation);
+    }
+    const int pictures = list.finish();
+    constexpr int kSampleRate = 48000;
+    files::write_wav(
+        work.path() / "performance.wav",
+        drum_sound(performance.log(), simulation.time(), kSampleRate, options.simulation.head));
+    files::write_text(work.path() / "size.txt", std::to_string(pictures));
+    run({(options.project / "scripts" / "film-pictures").string(), work.path().string(),
+         std::to_string(options.film_options.rate), options.film.string()});
+    fmt::print("{}pictures           {}\n", describe(performance.summary()), pictures);
+}
+
+std::string even(const std::string& text) {
+    return std::atoi(text.c_str()) % 2 == 0 ? "" : "expected an even number, got " + text;
+}
+
+}  // namespace
+
+void add_film_command(CLI::App& program) {
+    auto options = std::make_shared<FilmCommandOptions>();
+    FilmOptions& film_options = options->film_options;
+    CLI::App& command = *program.add_subcommand(
+        "film",
+        "play a score into a film with sound; needs no screen, and Pd, Gem, Xvfb and ffmpeg");
+    command.add_option("score", options->score,
+                       "a MIDI or MusicXML file; none: the built-in piece");
+    command.add_option("-o,--output", options->film, "the film, FILE.mp4")->required();
+    add_opening_flag(command, options->messages);
+    command.add_option("--pictures", film_options.rate, "a second")
+        ->check(CLI::IsMember({10, 12, 15, 20, 30, 60}))
+        ->capture_default_str();
+    for (auto [flag, size] :
+         {std::pair{"--width", &film_options.width}, std::pair{"--height", &film_options.height}}) {
+        command.add_option(flag, *size, "of a picture, even [pixels]")
+            ->check(CLI::Range(160, 2048))
+            ->check(CLI::Validator(even, "EVEN"))
+            ->capture_default_str();
+    }
+    command.add_option("--azimuth", film_options.azimuth, "of the camera [degrees]")
+        ->check(CLI::Range(-180.0, 180.0))
+        ->capture_default_str();
+    command.add_option("--elevation", film_options.elevation, "of the camera [degrees]")
+        ->check(CLI::Range(-10.0, 85.0))
+        ->capture_default_str();
+    command.add_option("--distance", film_options.distance, "of the camera from the drum [m]")
+        ->check(CLI::Range(0.6, 8.0))
+        ->capture_default_str();
+    command.add_option("--project", options->project, "the folder with patches/ and scripts/")
+        ->capture_default_str();
+    add_simulation_flags(command, options->simulation);
+    command.callback([options] { film(*options); });
+}
+
+}  // namespace percussionist::app

@@ -1,0 +1,23 @@
+#include "app/named_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+namespace percussionist::app {
+
+std::filesystem::path named_file(const std::filesystem::path& folder, const std::string& name,
+                                 const std::string& ending) {
+    constexpr std::size_t kLongest = 64;
+    const bool plain = !name.empty() && name.size() <= kLongest &&
+                       std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                           return std::isalnum(c) != 0 || c == '-' || c == '_';
+                       });
+    if (!plain) {
+        throw std::runtime_error("expected a name of letters, digits, - and _, got '" +
+                                 name.substr(0, kLongest) + "'");
+    }
+    return folder / (name + ending);
+}
+
+}  // namespace percussionist::app

@@ -1,0 +1,55 @@
+// The server's recordings: what it is told, one that is made, one that is played again.
+#include <exception>
+
+#include "app/named_file.hpp"
+#include "app/server.hpp"
+#include "osc/wire.hpp"
+
+namespace percussionist::app {
+
+void Server::hear(const osc::Heard& heard) {
+    // A replay goes its own way.
+    if (options_.replay && shapes_performance(heard.command)) return;
+    tape_.heard(steps(), heard);
+    obey(heard.command);
+}
+
+void Server::play_again() {
+    const files::Recording& take = *options_.replay;
+    for (; replayed_ < take.records.size(); ++replayed_) {
+        const files::Record& record = take.records[replayed_];
+        if (record.step > steps()) break;
+        if (record.kind == files::RecordKind::score) {
+            const files::PackedScore score = files::unpack_score(record.bytes);
+            use(load_kept_score({score.name, {score.bytes.begin(), score.bytes.end()}}));
+        } else if (record.kind == files::RecordKind::heard) {
+            osc::decode(record.bytes, [this](const auto& path, const auto arguments) {
+                const auto said = osc::understand(path, arguments, {});
+                const auto* command = std::get_if<osc::Command>(&said);
+                if (command != nullptr && shapes_performance(*command)) obey(*command);
+            });
+        }
+    }
+    ended_ = steps() >= take.end;
+}
+
+void Server::record(const osc::Record& wish) {
+    std::string fault;
+    if (wish.file.empty()) {
+        fault = tape_.end(steps());
+    } else {
+        try {
+            tape_.begin(named_file(options_.score_folder, wish.file, ".recording"));
+        } catch (const std::exception& error) {
+            fault = error.what();
+        }
+    }
+    if (!fault.empty()) {
+        endpoint_.answer(wish.asker, "/error", {"/record", fault});
+    } else {
+        endpoint_.answer(wish.asker, "/reply",
+                         {"/record", wish.file.empty() ? "ended" : wish.file + ".recording"});
+    }
+}
+
+}  // namespace percussionist::app

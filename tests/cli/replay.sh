@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# replay.sh PERCUSSIONIST: what serve recorded is played again to the last bit, and gives the files that
+# render writes of the same; a recording that tells of something else is found out.
+set -eu
+percussionist=$1
+root=$(dirname "$(readlink -f "$0")")/../..
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+. "$root/tests/cli/song.sh"
+write_song "$work/song.mid"
+"$percussionist" serve "$work/song.mid" --port 0 --play --quit-at-end --rate 500 \
+    --record "$work/take.recording" --log "$work/live" >"$work/live.txt"
+rm "$work/song.mid"
+"$percussionist" replay "$work/take.recording" -o "$work/again" >"$work/again.txt"
+cat "$work/again.txt"
+grep -q 'the same to the last bit' "$work/again.txt"
+diff "$work/live/contacts.csv" "$work/again/contacts.csv"
+[ -s "$work/again/motion.glb" ] && [ -s "$work/again/motion.bvh" ] && [ -s "$work/again/performance.wav" ]
+
+# The body was made otherwise: nothing is the same.
+sed 's/^500$/501/' "$work/take.recording" >"$work/other.recording"
+if "$percussionist" replay "$work/other.recording" >"$work/other.txt" 2>"$work/error.txt"; then
+    echo "another body is said to play the same"
+    exit 1
+fi
+grep -q 'other.recording: played otherwise than recorded' "$work/error.txt"

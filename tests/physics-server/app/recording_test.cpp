@@ -1,0 +1,156 @@
+#include <doctest/doctest.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "app/server.hpp"
+#include "app/simulation_flags.hpp"
+#include "app/told_comparison.hpp"
+#include "support/osc_listener.hpp"
+
+using namespace percussionist;
+using test::OscListener;
+
+namespace {
+
+class HurriedClock : public app::WallClock {
+  public:
+    double now() const override { return now_; }
+    void sleep_until(double time) override {
+        now_ = std::max(now_.load(), time);
+        std::this_thread::yield();
+    }
+
+  private:
+    std::atomic<double> now_{1.7e9};
+};
+
+struct Folder {
+    std::filesystem::path path = std::filesystem::temp_directory_path() / "percussionist-takes";
+    Folder() { std::filesystem::create_directories(path); }
+    ~Folder() { std::filesystem::remove_all(path); }
+};
+
+/// Runs a server while `act` tells it things; the contacts it made.
+std::vector<app::LoggedContact> perform(app::ServeOptions options,
+                                        const std::function<void(OscListener&)>& act) {
+    options.endpoint.port = 0;
+    HurriedClock clock;
+    app::Server server(options, clock);
+    std::atomic<bool> stop{false};
+    std::thread thread([&] { server.run(stop); });
+    OscListener client(server.port());
+    client.send(osc::encode_message(
+        "/subscribe", std::vector<osc::Argument>{static_cast<double>(client.port()), "sound"}));
+    act(client);
+    stop = true;
+    thread.join();
+    return server.performance().log().contacts();
+}
+
+struct Replayed {
+    std::vector<app::LoggedContact> contacts;
+    bool same = false;
+    std::string words;
+};
+
+Replayed replay(files::Recording take) {
+    const auto shared = std::make_shared<const files::Recording>(std::move(take));
+    const auto& settings = shared->records.front().bytes;
+    app::ToldComparison comparison(*shared);
+    app::ServeOptions options;
+    options.endpoint.port = 0;
+    options.replay = shared;
+    options.simulation = app::simulation_of({settings.begin(), settings.end()}, "take");
+    options.told = [&](std::int64_t step, const osc::Packet& p) { comparison.told(step, p); };
+    HurriedClock clock;
+    app::Server server(options, clock);
+    server.run(std::atomic<bool>{false});
+    return {server.performance().log().contacts(), comparison.same(), comparison.describe()};
+}
+
+void send_tempo(OscListener& client, double factor) {
+    client.send(osc::encode_exactly("/tempo", std::vector<osc::Argument>{factor}));
+}
+
+}  // namespace
+
+TEST_CASE("a recording played again makes the same contacts and poses to the last bit") {
+    const Folder folder;
+    app::ServeOptions options;
+    options.recording = folder.path / "take.recording";
+    options.settings = "--rate\n500\n--law\npaper\n";
+    options.simulation = app::simulation_of(options.settings, "test");
+    const auto live = perform(options, [](OscListener& client) {
+        send_tempo(client, 1.0 / 3.0 + 1.0);
+        client.send("/play");
+        REQUIRE(client.hears("/contact", 9));
+        send_tempo(client, 0.9);
+        REQUIRE(client.hears("/contact", 15));
+        client.send("/stop");
+        client.send("/play");
+        REQUIRE(client.hears("/contact", 21));
+    });
+    const files::Recording take = files::read_recording(options.recording);
+    CHECK(!take.cut);
+    const Replayed again = replay(take);
+    CHECK_MESSAGE(again.same, again.words);
+    REQUIRE(live.size() == again.contacts.size());
+    REQUIRE(!live.empty());
+    for (std::size_t i = 0; i < live.size(); ++i) {
+        CHECK(live[i].event.instant == again.contacts[i].event.instant);
+        CHECK(live[i].event.impulse == again.contacts[i].event.impulse);
+        CHECK(live[i].event.velocity == again.contacts[i].event.velocity);
+    }
+}
+
+TEST_CASE("a recording begun and ended while all plays is played again from the start of the run") {
+    const Folder folder;
+    app::ServeOptions options;
+    options.score_folder = folder.path;
+    perform(options, [](OscListener& client) {
+        client.send("/play");
+        send_tempo(client, 1.1);
+        REQUIRE(client.hears("/contact", 4));
+        client.send("/record", {"late"});
+        REQUIRE(client.hears("/reply"));
+        REQUIRE(client.hears("/contact", 8));
+        client.send("/record", {"another"});
+        REQUIRE(client.hears("/error"));
+        client.send("/record", {"../outside"});
+        REQUIRE(client.hears("/error", 2));
+        client.send("/record");
+        REQUIRE(client.hears("/reply", 2));
+        client.send("/record");
+        REQUIRE(client.hears("/error", 3));
+    });
+    files::Recording take = files::read_recording(folder.path / "late.recording");
+    const Replayed again = replay(take);
+    CHECK_MESSAGE(again.same, again.words);
+    CHECK(!again.contacts.empty());
+
+    // One bit of one pose makes it another.
+    for (files::Record& record : take.records) {
+        if (record.kind != files::RecordKind::told) continue;
+        record.bytes.back() ^= 1;
+        break;
+    }
+    CHECK(!replay(take).same);
+}
+
+TEST_CASE("what a body is made of is kept as it was given") {
+    CLI::App program;
+    sim::SimulationOptions given;
+    app::add_simulation_flags(program, given);
+    program.parse("--rate 1234.5 --law paper --stature 1.6", false);
+    const auto again = app::simulation_of(app::simulation_settings(program), "test");
+    CHECK(again.rate == given.rate);
+    CHECK(again.control.law == given.control.law);
+    CHECK(again.person.stature == given.person.stature);
+    CHECK(again.person.mass == sim::SimulationOptions().person.mass);
+    CHECK_THROWS_AS(app::simulation_of("--rate\nfast\n", "test"), std::runtime_error);
+    CHECK_THROWS_AS(app::simulation_of("--no-such-flag\n", "test"), std::runtime_error);
+}
