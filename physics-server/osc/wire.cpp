@@ -216,7 +216,7 @@ Packet encode(const StateMessage& state, double lookahead) {
     for (const StateMessage::Item& item : state.items) {
         std::vector<Argument> arguments{item.name};
         arguments.insert(arguments.end(), item.values.begin(), item.values.end());
-        lo_bundle_add_message(bundle.get(), "/state", make_message_of(arguments));
+        lo_bundle_add_message(bundle.get(), "/state", make_message_of<float>(arguments));
     }
     return serialise(bundle);
 }
