@@ -118,6 +118,7 @@ void ClockTracker::lock(double x, double y) noexcept {
         known_rate_ = rate_;
     }
     started_ = true;
+    rate_error_ = known_error_;
     x0_ = x;
     origin_ = y - x;
     offset_ = 0.0;
@@ -165,6 +166,11 @@ double ClockTracker::slope_error(double span) const noexcept {
     return blocks < kMemory ? single : std::min(single, 8.0 * least_late_ / (blocks * span));
 }
 
+double ClockTracker::uncertainty() const noexcept {
+    const double number = per_block_ * static_cast<double>(count_) + block_.count;
+    return 2.0 * mean_late_ / std::max(number, 1.0);
+}
+
 void ClockTracker::fit() noexcept {
     hull_count_ = 0;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -179,6 +185,7 @@ void ClockTracker::fit() noexcept {
     const double error = slope_error(hull_[hull_count_ - 1].x - hull_[0].x);
     const double known = known_error_ * known_error_;
     const double trust = std::isfinite(error) ? known / (known + error * error) : 0.0;
+    rate_error_ = known_error_ * std::sqrt(1.0 - trust);
     rate_ = known_rate_ + (hull_count_ > 1 ? trust * (hull_slope() - known_rate_) : 0.0);
     rate_ = std::clamp(rate_, -settings_.max_rate, settings_.max_rate);
     offset_ = std::numeric_limits<double>::infinity();

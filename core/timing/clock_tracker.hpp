@@ -50,6 +50,10 @@ class ClockTracker {
 
     /// How much faster y runs than x: 1e-6 for one microsecond a second.
     double rate() const noexcept { return rate_; }
+    /// The standard error of that, as far as it is known.
+    double rate_error() const noexcept { return rate_error_; }
+    /// About how far off the line may be, by its observations' lateness and their number [s].
+    double uncertainty() const noexcept;
     /// Mean lateness of the observations [s].
     double lateness() const noexcept { return mean_late_; }
     /// Steps found since the beginning.
@@ -89,8 +93,9 @@ class ClockTracker {
     bool started_ = false;
     double x0_ = 0.0, origin_ = 0.0, offset_ = 0.0, rate_ = 0.0;
     double known_rate_ = 0.0, known_error_ = 50e-6;  // before the points now kept
-    double mean_late_ = 0.0, least_late_ = 0.0;      // of observations; of blocks
-    double observations_ = 0.0, blocks_ = 0.0;       // behind these means
+    double rate_error_ = 50e-6;
+    double mean_late_ = 0.0, least_late_ = 0.0;  // of observations; of blocks
+    double observations_ = 0.0, blocks_ = 0.0;   // behind these means
     double per_block_ = 1.0;
     unsigned steps_ = 0;
     Block block_;

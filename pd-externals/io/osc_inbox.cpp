@@ -14,15 +14,24 @@ constexpr std::size_t kMostSenders = 16;
 constexpr double kLongestLookahead = 10.0;  // [s]
 constexpr double kComplaintsApart = 1.0;    // [s]
 constexpr double kReordering = 0.03;        // first packets may come that much out of order [s]
+constexpr double kSilence = 0.5;            // of a sender that is otherwise heard often [s]
 constexpr const char* kClock = "/clock";
 constexpr const char* kContact = "/contact";
 
+const OscMessage* find_in(const OscBundle& bundle, const char* address) {
+    for (const auto& message : bundle.messages) {
+        if (message.address == address) {
+            return &message;
+        }
+    }
+    return nullptr;
+}
+
 const OscMessage* find(const OscPacket& packet, const char* address) {
     for (const auto& bundle : packet.bundles) {
-        for (const auto& message : bundle.messages) {
-            if (message.address == address && bundle.tag == packet.tag) {
-                return &message;
-            }
+        const auto* const found = bundle.tag == packet.tag ? find_in(bundle, address) : nullptr;
+        if (found) {
+            return found;
         }
     }
     return nullptr;
@@ -62,7 +71,7 @@ std::string to_string(const Endpoint& endpoint) {
 }
 
 double OscInbox::Sender::due(TimeTag tag) const {
-    return clock.to_y(seconds_between(epoch, tag) - lookahead.value_or(0.0)) +
+    return line.to_y(seconds_between(epoch, tag) - lookahead.value_or(0.0)) +
            lookahead.value_or(0.0);
 }
 
@@ -98,9 +107,12 @@ OscInbox::Sender& OscInbox::sender(const Endpoint& from, double arrival) {
         }
         auto fresh = std::make_unique<Sender>();
         fresh->from = from;
-        fresh->first_heard = arrival;
+        fresh->first_heard = fresh->last_heard = arrival;
         senders_.push_back(std::move(fresh));
         found = std::prev(senders_.end());
+    }
+    if (arrival > (*found)->last_heard + kSilence) {
+        (*found)->back = arrival;
     }
     (*found)->last_heard = arrival;
     return **found;
@@ -124,6 +136,7 @@ void OscInbox::follow_clock(Sender& sender, const OscPacket& packet, double arri
     } else if (find(packet, kContact)) {
         sender.clock.observe_if_early(sent, arrival);
     }
+    sender.line.follow(sender.clock, sent);
 }
 
 void OscInbox::deliver(Sender& sender, OscBundle& bundle) {
@@ -131,6 +144,7 @@ void OscInbox::deliver(Sender& sender, OscBundle& bundle) {
     if (bundle.tag != kImmediately && sender.clock.started()) {
         const double due = sender.due(bundle.tag);
         delivery->due = due;
+        delivery->stale = due < sender.back - kReordering && find_in(bundle, kContact) != nullptr;
         std::erase_if(bundle.messages, [&](const OscMessage& message) {
             const auto number = sequence_of(message);
             return number &&

@@ -9,7 +9,8 @@
 // and whoever sends ahead at an even distance is heard evenly.
 //
 // Tag 1 and plain messages are due at once. /contact is dropped where sequence number and tag were
-// heard before, and where it was due before the sender was first heard of.
+// heard before, and where it was due before the sender was first heard of; a stroke that comes a
+// tenth of a second late is worth nothing: after a cable was out, none are rained down at once.
 //
 // No thread, no clock: times are arguments, seconds of one monotonic clock. One thread at a time.
 #pragma once
@@ -22,6 +23,7 @@
 
 #include "core/timing/clock_tracker.hpp"
 #include "core/timing/sequence_filter.hpp"
+#include "core/timing/steady_line.hpp"
 #include "io/osc_packet.hpp"
 
 namespace percussionist::io {
@@ -38,7 +40,9 @@ std::string to_string(const Endpoint& endpoint);
 /// Messages due at one time; or, instead, a complaint for the user.
 struct Delivery {
     std::optional<double> due;  ///< none: at once [s]
-    std::uint64_t serial = 0;   ///< counts deliveries: the order of those due together
+    /// Of a time when the sender could not be heard: only to be counted, if it is late.
+    bool stale = false;
+    std::uint64_t serial = 0;  ///< counts deliveries: the order of those due together
     std::vector<OscMessage> messages;
     std::string complaint;
 };
@@ -71,8 +75,10 @@ class OscInbox {
         Endpoint from;
         TimeTag epoch = 0;
         double first_heard = 0.0, last_heard = 0.0;
+        double back = -1e9;  // heard again after a silence
         std::optional<double> lookahead;
         timing::ClockTracker clock;
+        timing::SteadyLine line;
         timing::SequenceFilter contacts{kTagsPerSecond};
 
         double due(TimeTag tag) const;

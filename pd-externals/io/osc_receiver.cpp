@@ -15,7 +15,7 @@ namespace percussionist::io {
 
 namespace {
 
-constexpr double kOften = 3.0;                    // [s]
+constexpr double kOften = 1.0;                    // [s]
 constexpr int kLongestWait = 50;                  // [ms]
 constexpr std::size_t kMostToSend = 256;          // while a host's name is looked up
 constexpr double kFrom1900To1970 = 2208988800.0;  // [s]
@@ -148,9 +148,11 @@ void OscReceiver::send_what_waits(double now) {
         to_send_.push_back(often_);
     }
     for (; !to_send_.empty(); to_send_.pop_front()) {
-        if (!socket_.send(server_, to_send_.front())) {
-            complain("not sent to " + server_name_ + ": " + std::strerror(errno));
+        const int wrong = socket_.send(server_, to_send_.front()) ? 0 : errno;
+        if (wrong != 0 && wrong != last_wrong_) {  // said once, however long a cable is out
+            complain("not sent to " + server_name_ + ": " + std::strerror(wrong));
         }
+        last_wrong_ = wrong;
     }
 }
 

@@ -48,7 +48,7 @@ class OscReceiver {
     /// Where to send to.
     void set_server(const std::string& host, int port);
     void send(Bytes packet);
-    /// Now and every few seconds, until told otherwise by another, or by an empty one.
+    /// Now and every second, until told otherwise by another, or by an empty one.
     void send_often(Bytes packet);
 
   private:
@@ -88,6 +88,7 @@ class OscReceiver {
     std::deque<Bytes> to_send_;
     Bytes often_;
     double sent_often_ = 0.0;
+    int last_wrong_ = 0;  // errno of the last packet sent
 
     std::thread thread_;
 };

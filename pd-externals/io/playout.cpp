@@ -31,7 +31,7 @@ double Playout::next() const noexcept {
         return std::numeric_limits<double>::infinity();
     }
     const auto& due = waiting_.front()->due;
-    return due ? clock_.to_x(*due + latency_) : kAtOnce;
+    return due ? line_.to_x(*due + latency_) : kAtOnce;
 }
 
 std::unique_ptr<Delivery> Playout::take(double logical) noexcept {
@@ -45,6 +45,9 @@ std::unique_ptr<Delivery> Playout::take(double logical) noexcept {
     if (due < logical - kLate && delivery->due) {
         ++late_;
         latest_ = std::max(latest_, logical - due);
+        if (delivery->stale) {
+            delivery->messages.clear();
+        }
     }
     return delivery;
 }

@@ -53,19 +53,56 @@ inline void print_error(const void* box, const std::string& text) {
     pd_error(box, "%s", text.c_str());
 }
 
-/// Runs what must not throw into Pd.
-template <class Action>
-void guarded(const Box* box, const std::string& place, Action action) noexcept {
-    const std::string where = box->known->table.name + (place.empty() ? "" : ": " + place);
+/// An object at work. Pd may free its box meanwhile, for a message that it sends may have it
+/// deleted: then the object goes with the last of its calls.
+class Call {
+  public:
+    explicit Call(Object& object) : object_(object), known_(object.box_->known) {
+        ++object_.calls_;
+    }
+    ~Call() {
+        if (--object_.calls_ == 0 && !object_.box_) {
+            delete &object_;
+        }
+    }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+
+    /// Instead of its deletion: once it is not called.
+    static void forsake(Object* object) {
+        object->box_ = nullptr;
+        if (object->calls_ == 0) {
+            delete object;
+        }
+    }
+    const Description& table() const { return known_->table; }
+    const Box* box() const { return object_.box_; }  ///< null if it is gone
+
+  private:
+    Object& object_;
+    const Known* known_;
+};
+
+/// Before there is an object.
+struct Making {
+    const Box* made;
+    const Description& table() const { return made->known->table; }
+    const Box* box() const { return made; }
+};
+
+/// Runs what must not throw into Pd, of a Call or a Making.
+template <class Doing, class Action>
+void guarded(const Doing& doing, const std::string& place, Action action) noexcept {
+    const std::string where = doing.table().name + (place.empty() ? "" : ": " + place);
     try {
         action();
     } catch (const std::exception& e) {
         // What the core throws often names the same thing first.
         const std::string_view what = e.what();
         const bool named = !place.empty() && what.starts_with(place + ": ");
-        print_error(box, (named ? box->known->table.name : where) + ": " + e.what());
+        print_error(doing.box(), (named ? doing.table().name : where) + ": " + e.what());
     } catch (...) {
-        print_error(box, where + ": failed for an unknown reason");
+        print_error(doing.box(), where + ": failed for an unknown reason");
     }
 }
 

@@ -48,6 +48,10 @@ FakeObject* FakeHost::create(const std::string& name, std::vector<Atom> argument
     return nullptr;
 }
 
+void FakeHost::on_sent(std::function<void(const Sent&)> hearer) {
+    state().hearer = std::move(hearer);
+}
+
 void FakeHost::destroy(FakeObject* object) {
     state().chain.clear();
     pd_free(static_cast<t_pd*>(object->box_));

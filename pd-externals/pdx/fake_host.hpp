@@ -12,6 +12,7 @@
 // One host at a time.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -62,6 +63,8 @@ class FakeHost {
     /// Null if the object refused; see errors().
     FakeObject* create(const std::string& name, std::vector<Atom> arguments = {});
     void destroy(FakeObject* object);
+    /// Is called with all that any object sends, within its call; it may destroy the object.
+    static void on_sent(std::function<void(const Sent&)> hearer);
 
     /// Turns signal processing on, the objects in blocks of this size; `over` times the sample
     /// rate.

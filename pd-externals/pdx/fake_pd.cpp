@@ -8,6 +8,7 @@
 
 using namespace percussionist::pdx::fake;
 using percussionist::pdx::Atom;
+using percussionist::pdx::Sent;
 
 namespace percussionist::pdx::fake {
 
@@ -47,8 +48,11 @@ void record(t_outlet* outlet, const char* selector, int count, const t_atom* ato
             values.emplace_back(static_cast<double>(atoms[i].a_w.w_float));
         }
     }
-    state().sent[outlet->owner].push_back(
-        {outlet->index, selector, values, state().time / kUnitsPerSecond});
+    const Sent sent{outlet->index, selector, values, state().time / kUnitsPerSecond};
+    state().sent[outlet->owner].push_back(sent);
+    if (const auto hearer = state().hearer) {
+        hearer(sent);
+    }
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ struct State {
     std::map<t_object*, std::size_t> extra_inlets;
     std::map<t_object*, std::vector<t_pd*>> listeners;
     std::map<t_object*, std::vector<Sent>> sent;
+    std::function<void(const Sent&)> hearer;
     std::map<std::string, std::vector<t_word>, std::less<>> arrays;
     std::vector<std::function<void()>> chain;
     std::vector<std::string> errors;

@@ -37,16 +37,23 @@ class PdAtoms {
 }  // namespace
 
 void Object::post(const std::string& text) const {
-    ::post("%s: %s", box_.known->table.name.c_str(), text.c_str());
+    if (box_) {
+        ::post("%s: %s", box_->known->table.name.c_str(), text.c_str());
+    }
 }
 
 void Object::error(const std::string& text) const {
-    print_error(&box_, box_.known->table.name + ": " + text);
+    if (box_) {
+        print_error(box_, box_->known->table.name + ": " + text);
+    }
 }
 
 std::string Object::path_of(const char* file) const {
     std::array<char, MAXPDSTRING> path{};
-    canvas_makefilename(box_.canvas, file, path.data(), static_cast<int>(path.size()));
+    if (!box_) {
+        return file;
+    }
+    canvas_makefilename(box_->canvas, file, path.data(), static_cast<int>(path.size()));
     return path.data();
 }
 
@@ -59,21 +66,29 @@ double Object::tick_length() {
 }
 
 void Object::send_bang(std::size_t outlet) const {
-    outlet_bang(box_.outlets[outlet]);
+    if (box_) {
+        outlet_bang(box_->outlets[outlet]);
+    }
 }
 
 void Object::send(std::size_t outlet, double number) const {
-    outlet_float(box_.outlets[outlet], static_cast<t_float>(number));
+    if (box_) {
+        outlet_float(box_->outlets[outlet], static_cast<t_float>(number));
+    }
 }
 
 void Object::send(std::size_t outlet, std::span<const Atom> list) const {
-    PdAtoms atoms(list);
-    outlet_list(box_.outlets[outlet], &s_list, atoms.size(), atoms.data());
+    if (box_) {
+        PdAtoms atoms(list);
+        outlet_list(box_->outlets[outlet], &s_list, atoms.size(), atoms.data());
+    }
 }
 
 void Object::send(std::size_t outlet, const char* selector, std::span<const Atom> arguments) const {
-    PdAtoms atoms(arguments);
-    outlet_anything(box_.outlets[outlet], gensym(selector), atoms.size(), atoms.data());
+    if (box_) {
+        PdAtoms atoms(arguments);
+        outlet_anything(box_->outlets[outlet], gensym(selector), atoms.size(), atoms.data());
+    }
 }
 
 std::vector<double> array_values(const char* name) {
@@ -90,7 +105,7 @@ std::vector<double> array_values(const char* name) {
     return values;
 }
 
-Clock::Clock(const Object& owner, std::function<void()> callback)
+Clock::Clock(Object& owner, std::function<void()> callback)
     : owner_(owner),
       callback_(std::move(callback)),
       clock_(clock_new(this, reinterpret_cast<t_method>(&Clock::tick))) {}
@@ -112,7 +127,9 @@ void Clock::cancel() {
 }
 
 void Clock::tick(Clock* clock) {
-    guarded(&clock->owner_.box_, "", [clock] { clock->callback_(); });
+    Object& owner = clock->owner_;
+    const Call call(owner);
+    guarded(call, "", [clock] { clock->callback_(); });
 }
 
 }  // namespace percussionist::pdx

@@ -28,7 +28,8 @@
 // signal object overrides prepare() and process().
 //
 // All functions here are called in Pd's one thread; process() alone must not allocate, lock or
-// print.
+// print. An object that is deleted by what it sent itself lives on until its call has returned;
+// nobody hears it.
 #pragma once
 
 #include <functional>
@@ -58,7 +59,7 @@ struct Block {
 
 class Object {
   public:
-    explicit Object(Box& box) : box_(box) {}
+    explicit Object(Box& box) : box_(&box) {}
     virtual ~Object() = default;
     Object(const Object&) = delete;
     Object& operator=(const Object&) = delete;
@@ -86,7 +87,9 @@ class Object {
 
   private:
     friend class Clock;
-    Box& box_;
+    friend class Call;
+    Box* box_;       // null once Pd has freed it
+    int calls_ = 0;  // under way
 };
 
 /// The values of an array of Pd. Throws std::invalid_argument if there is none of that name.
@@ -95,7 +98,7 @@ std::vector<double> array_values(const char* name);
 /// Calls back at a logical time; destroyed, it does not.
 class Clock {
   public:
-    Clock(const Object& owner, std::function<void()> callback);
+    Clock(Object& owner, std::function<void()> callback);
     ~Clock();
     Clock(const Clock&) = delete;
     Clock& operator=(const Clock&) = delete;
@@ -106,7 +109,7 @@ class Clock {
 
   private:
     static void tick(Clock* clock);
-    const Object& owner_;
+    Object& owner_;
     std::function<void()> callback_;
     _clock* clock_;
 };

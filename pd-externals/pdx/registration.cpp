@@ -55,9 +55,10 @@ void receive(Box* box, t_symbol* selector, int count, t_atom* atoms) noexcept {
             box, table.name + ": no message '" + selector->s_name + "'; " + what_it_hears(table));
         return;
     }
-    guarded(box, message->selector, [&] {
+    Object& object = *box->object;
+    guarded(Call(object), message->selector, [&] {
         const auto given = from_pd(count, atoms);
-        message->call(*box->object, check(message->arguments, given, message->selector));
+        message->call(object, check(message->arguments, given, message->selector));
     });
 }
 
@@ -134,7 +135,7 @@ void sort_signals(Box* box, t_signal** signals) noexcept {
         }
     }
     bool ready = false;
-    guarded(box, "dsp", [&] {
+    guarded(Call(*box->object), "dsp", [&] {
         box->object->prepare(box->sample_rate, size);
         ready = true;
     });
@@ -186,7 +187,7 @@ void* create(t_symbol* typed_name, int count, t_atom* atoms) noexcept {
     auto* const box = reinterpret_cast<Box*>(pd_new(found->second.pd_class));
     box->known = &found->second;
     box->canvas = canvas_getcurrent();
-    guarded(box, "", [&] {
+    guarded(Making{box}, "", [&] {
         const Description& table = box->known->table;
         const auto given = from_pd(count, atoms);
         const Arguments creation = check(table.creation_arguments, given, table.name);
@@ -201,7 +202,9 @@ void* create(t_symbol* typed_name, int count, t_atom* atoms) noexcept {
 }
 
 void destroy(Box* box) noexcept {
-    delete box->object;
+    if (box->object) {
+        Call::forsake(box->object);
+    }
     for (std::size_t i = 0; box->inlets && i < box->known->table.message_inlets.size(); ++i) {
         if (box->inlets[i]) {
             pd_free(box->inlets[i]);

@@ -14,7 +14,8 @@ std::filesystem::path named_file(const std::filesystem::path& folder, const std:
                            return std::isalnum(c) != 0 || c == '-' || c == '_';
                        });
     if (!plain) {
-        throw std::runtime_error("expected a name of letters, digits, - and _, got '" + name + "'");
+        throw std::runtime_error("expected a name of letters, digits, - and _, got '" +
+                                 name.substr(0, kLongest) + "'");
     }
     return folder / (name + ending);
 }

@@ -96,6 +96,8 @@ std::filesystem::path score_in_folder(const std::filesystem::path& folder,
     if (end != root.end()) {
         throw std::runtime_error(name + ": lies outside the score folder");
     }
+    // A pipe would keep the reader waiting for ever.
+    if (!fs::is_regular_file(file, error)) throw std::runtime_error(name + ": is no file");
     return file;
 }
 

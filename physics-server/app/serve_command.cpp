@@ -67,6 +67,7 @@ void add_serve_command(CLI::App& program) {
     command.callback([options, routes, &command] {
         options->settings = simulation_settings(command);
         if (!routes->empty()) options->endpoint.routes = read_routes(*routes);
+        options->endpoint.before_sending = [] { ask_for_real_time(); };
         if (options->score_folder.empty()) options->score_folder = ".";
         serve(*options);
     });

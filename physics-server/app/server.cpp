@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -56,7 +57,12 @@ Server::Server(const ServeOptions& options, WallClock& clock)
 }
 
 void Server::use(LoadedScore loaded) {
-    for (const std::string& remark : loaded.remarks) fmt::print(stderr, "{}\n", remark);
+    constexpr std::size_t kMostRemarks = 50;  // printing takes time
+    const std::size_t shown = std::min(loaded.remarks.size(), kMostRemarks);
+    for (std::size_t i = 0; i < shown; ++i) fmt::print(stderr, "{}\n", loaded.remarks[i]);
+    if (shown < loaded.remarks.size()) {
+        fmt::print(stderr, "and {} more remarks\n", loaded.remarks.size() - shown);
+    }
     fmt::print("score: {}: {} of {} notes as strokes\n", loaded.title, loaded.strokes.size(),
                loaded.notes);
     std::fflush(stdout);
@@ -102,6 +108,7 @@ void Server::catch_up(double now) {
     const double behind = now - wall(next_step_end());
     if (behind > kGiveUp) {
         start_ += behind;
+        late_steps_ += static_cast<int>(behind / performance_.simulation().step_length());
         fmt::print(stderr, "held up for {:.2f} s: simulated time paused\n", behind);
     }
     while (wall(next_step_end()) <= now && !ended_) {
@@ -188,6 +195,10 @@ void Server::play() {
 }
 
 void Server::save_routes(const osc::SaveRoutes& wish) {
+    if (saving_.valid() && saving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        endpoint_.answer(wish.asker, "/error", {"/route/save", "routes are being written"});
+        return;
+    }
     saving_ = std::async(std::launch::async, [this, wish] {
         try {
             write_routes(options_.score_folder, wish.file, endpoint_.routes());

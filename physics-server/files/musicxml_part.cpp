@@ -16,7 +16,11 @@ using score::Tick;
 namespace {
 
 constexpr std::size_t kMostMeasures = 20000;
+// What a short file can ask for by repeats, tremolos and gradual changes has bounds too.
 constexpr std::size_t kMostNotes = 500000;
+constexpr std::size_t kMostTempos = 500000;
+constexpr std::size_t kMostHairpins = 2000;
+constexpr std::size_t kMostElements = 4000000;
 constexpr Tick kMostTicks = 200000LL * kMusicXmlTicks;
 constexpr int kSnare = 38;
 /// Grace notes stand this far before their note and before each other [s].
@@ -59,7 +63,7 @@ class PartReader {
         std::vector<pugi::xml_node> measures;
         for (const pugi::xml_node& m : part_.children("measure")) measures.push_back(m);
         for (const std::size_t i : playing_order(measures, kMostMeasures)) {
-            if (at_ > kMostTicks || result_.notes.size() > kMostNotes) break;
+            if (at_ > kMostTicks || full()) break;
             measure(measures[i]);
         }
         result_.end = at_;
@@ -72,6 +76,8 @@ class PartReader {
         start_ = at_;
         Tick furthest = at_;
         for (const pugi::xml_node& child : node.children()) {
+            ++elements_;
+            if (full()) break;
             if (is(child, "attributes")) attributes(child);
             if (is(child, "direction")) direction(child);
             if (is(child, "sound")) sound(child);
@@ -81,6 +87,11 @@ class PartReader {
             furthest = std::max(furthest, at_);
         }
         at_ = furthest;
+    }
+
+    [[nodiscard]] bool full() const {
+        return result_.notes.size() >= kMostNotes || result_.tempos.size() >= kMostTempos ||
+               elements_ >= kMostElements;
     }
 
     [[nodiscard]] Tick duration(const pugi::xml_node& node) const {
@@ -141,7 +152,7 @@ class PartReader {
     void ramp_to(Tick end, double seconds) {
         const double from = 1.0 / seconds_per_quarter_;
         const double to = 1.0 / seconds;
-        for (Tick t = *ramp_ + kRampStep; t < end; t += kRampStep) {
+        for (Tick t = *ramp_ + kRampStep; t < end && !full(); t += kRampStep) {
             const double share =
                 static_cast<double>(t - *ramp_) / static_cast<double>(end - *ramp_);
             result_.tempos.push_back({t, 1.0 / (from + share * (to - from))});
@@ -168,7 +179,7 @@ class PartReader {
 
     void wedge(const pugi::xml_node& node, Tick tick) {
         const std::string type = node.attribute("type").as_string();
-        if (type == "crescendo" || type == "diminuendo") {
+        if (hairpins_.size() < kMostHairpins && (type == "crescendo" || type == "diminuendo")) {
             const double change = type == "crescendo" ? 0.25 : -0.25;
             hairpins_.push_back({tick, kMostTicks, level_, std::clamp(level_ + change, 0.08, 1.0),
                                  result_.notes.size()});
@@ -266,7 +277,7 @@ class PartReader {
         const Tick step = kMusicXmlTicks >> marks;
         MusicXmlNote next = first;
         next.nuance = Nuance::legato;
-        for (Tick t = tied(node) ? 0 : step; t < length; t += step) {
+        for (Tick t = tied(node) ? 0 : step; t < length && !full(); t += step) {
             next.tick = first.tick + t;
             result_.notes.push_back(next);
         }
@@ -284,6 +295,7 @@ class PartReader {
     double divisions_ = 1.0;
     double level_ = 0.63;
     double seconds_per_quarter_ = 0.5;
+    std::size_t elements_ = 0;
     std::optional<Tick> ramp_;  ///< where a gradual change of tempo began
     Tick start_ = 0, at_ = 0, chord_at_ = 0;
     std::vector<Hairpin> hairpins_;

@@ -2,6 +2,7 @@
 
 #include <sndfile.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -14,8 +15,8 @@ struct Close {
 };
 using File = std::unique_ptr<SNDFILE, Close>;
 
-/// Some 24 hours of stereo at 48 kHz: what claims more is damaged.
-constexpr sf_count_t kMostSamples = 8'000'000'000;
+/// Some 90 minutes of stereo at 48 kHz, 4 GB in memory; compressed silence could claim any number.
+constexpr sf_count_t kMostSamples = 500'000'000;
 
 File open(const std::filesystem::path& path, int mode, SF_INFO& info) {
     File file(sf_open(path.c_str(), mode, &info));
@@ -31,16 +32,18 @@ Audio read_audio(const std::filesystem::path& path) {
     SF_INFO info{};
     const File file = open(path, SFM_READ, info);
     if (info.frames < 0 || info.frames > kMostSamples / info.channels) {
-        throw AudioError(path.string() + ": claims " + std::to_string(info.frames) + " frames");
+        throw AudioError(path.string() + ": expected at most 500 million samples, found " +
+                         std::to_string(info.frames) + " frames");
     }
     Audio audio;
     audio.rate = info.samplerate;
     audio.channels = info.channels;
-    // In pieces, so that a header that promises too much takes no memory for it.
-    constexpr sf_count_t kPiece = 65536;
-    std::vector<double> piece(static_cast<std::size_t>(kPiece * info.channels));
+    // In pieces, so that a header that promises too much, frames or channels, takes no memory for
+    // it.
+    const sf_count_t frames = std::max<sf_count_t>(1, 65536 / info.channels);
+    std::vector<double> piece(static_cast<std::size_t>(frames * info.channels));
     for (sf_count_t got = 1; got > 0;) {
-        got = sf_readf_double(file.get(), piece.data(), kPiece);
+        got = sf_readf_double(file.get(), piece.data(), frames);
         audio.samples.insert(audio.samples.end(), piece.begin(),
                              piece.begin() + got * info.channels);
     }

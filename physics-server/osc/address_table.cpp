@@ -79,7 +79,7 @@ std::vector<Address> make_table() {
          "send no more to PORT of the asker or of HOST",
          {kPort, {"HOST", "", true, false}},
          [](Arguments a, const Peer& from) -> Command {
-             return Unsubscribe{{text(a, 1, from.host), port_text(number(a, 0))}};
+             return Unsubscribe{{text(a, 1, from.host), port_text(number(a, 0))}, from};
          }},
         {"/route/add",
          "send an event on: EVENT to HOST:PORT ADDRESS FIELD... when FIELD LEAST MOST; answered by "
@@ -142,10 +142,16 @@ bool is_choice(const std::string& choices, const std::string& word) {
            std::istream_iterator<std::string>();
 }
 
+/// Short enough for an answer of one packet.
+std::string quoted(const std::string& text) {
+    constexpr std::size_t kMost = 80;
+    return '\'' + text.substr(0, kMost) + (text.size() > kMost ? "..." : "") + '\'';
+}
+
 std::string wrong(const Parameter& p, const Argument& got) {
     const std::string shown = std::holds_alternative<double>(got)
                                   ? fmt::format("{:g}", std::get<double>(got))
-                                  : '\'' + std::get<std::string>(got) + '\'';
+                                  : quoted(std::get<std::string>(got));
     if (p.text) {
         const std::string expected = *p.choices != '\0' ? listed(p.choices) : "a text";
         return fmt::format("{}: expected {}, got {}", p.name, expected, shown);
@@ -234,7 +240,8 @@ std::variant<Command, Refusal> understand(const std::string& path,
         if (!reason.empty()) return Refusal{path, reason};
         return address.make(given, sender);
     }
-    return Refusal{path, "no such address; /describe lists them"};
+    constexpr std::size_t kLongest = 80;
+    return Refusal{path.substr(0, kLongest), "no such address; /describe lists them"};
 }
 
 }  // namespace percussionist::osc

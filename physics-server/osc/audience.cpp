@@ -61,8 +61,15 @@ std::vector<Peer> Audience::drop_silent(double now) {
 int Audience::add_route(const Route& route, const sockaddr_in& to) {
     const std::lock_guard lock(mutex_);
     if (routes_.size() >= kMostRoutes) throw std::runtime_error("no more than 128 routes");
-    routes_.push_back({next_number_, route, to});
-    return next_number_++;
+    int number = 1;
+    while (numbered(number)) ++number;
+    routes_.push_back({number, route, to});
+    return number;
+}
+
+bool Audience::numbered(int number) const {
+    return std::any_of(routes_.begin(), routes_.end(),
+                       [number](const NumberedRoute& r) { return r.number == number; });
 }
 
 bool Audience::change_route(int number, const Route& route, const sockaddr_in& to) {

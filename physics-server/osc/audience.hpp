@@ -39,8 +39,8 @@ class Audience {
     /// Drops those whose lease has run out.
     std::vector<Peer> drop_silent(double now);
 
-    /// Returns the route's number, counting from 1. Throws std::runtime_error if there are too
-    /// many.
+    /// Returns the route's number, the least from 1 on that is free. Throws std::runtime_error if
+    /// there are too many.
     int add_route(const Route& route, const sockaddr_in& to);
     /// False if there is no such number.
     bool change_route(int number, const Route& route, const sockaddr_in& to);
@@ -59,6 +59,7 @@ class Audience {
         double heard = 0.0;
         bool renews = false;
     };
+    [[nodiscard]] bool numbered(int number) const;
     struct NumberedRoute {
         int number = 0;
         Route route;
@@ -67,7 +68,6 @@ class Audience {
     mutable std::mutex mutex_;
     std::vector<Subscriber> subscribers_;
     std::vector<NumberedRoute> routes_;
-    int next_number_ = 1;
 };
 
 bool same(const sockaddr_in& a, const sockaddr_in& b);

@@ -83,7 +83,7 @@ struct Subscribe {
     Feed feed = Feed::sound;
 };
 struct Unsubscribe {
-    Peer peer;
+    Peer peer, asker;
 };
 struct Ping {
     Peer asker;

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -13,12 +14,27 @@ namespace {
 
 /// How many events ride along: with them a packet still fits one Ethernet frame.
 constexpr std::size_t kRideAlong = 7;
-/// How often a contact is sent again, evenly over the lookahead that is left after it was known.
-constexpr int kRepeats = 4;
-constexpr double kRepeatShare = 1.0 / 8.0;
+/// A contact is sent again evenly over half of the lookahead, for that much is surely left when it
+/// is known: the more often, the longer that is.
+constexpr double kRepeatShare = 0.5;
+constexpr double kRepeatsApart = 7.5e-3;  // [s]
+constexpr int kLeastRepeats = 4;
+constexpr int kMostRepeats = 12;
 constexpr double kClockInterval = 0.01;
 /// Commands not yet taken beyond this many are refused: memory is bounded.
 constexpr std::size_t kMostCommands = 256;
+constexpr std::size_t kCommandsAtOnce = 2;
+/// What waits to be sent: of poses and scenes the newest few, of all else no more than this.
+constexpr std::size_t kMostPictures = 8;
+constexpr std::size_t kMostOutgoing = 16384;
+/// Of one picture, by routes: so that strokes never wait long for poses.
+constexpr std::size_t kMostRoutedPoses = 400;
+constexpr double kCheckInterval = 0.1;  // of silent subscribers [s]
+
+bool is_picture(const Outgoing& message) {
+    return std::holds_alternative<PoseMessage>(message) ||
+           std::holds_alternative<SceneMessage>(message);
+}
 
 }  // namespace
 
@@ -37,7 +53,7 @@ Endpoint::Endpoint(const EndpointOptions& options, std::function<double()> wall)
 
 Endpoint::~Endpoint() {
     {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock(outgoing_mutex_);
         stopping_ = true;
     }
     wake_.notify_all();
@@ -47,15 +63,25 @@ Endpoint::~Endpoint() {
 
 void Endpoint::tell(Outgoing message) {
     {
-        const std::lock_guard lock(mutex_);
-        outgoing_.push_back(std::move(message));
+        const std::lock_guard lock(outgoing_mutex_);
+        if (is_picture(message)) {
+            if (pictures_.size() >= kMostPictures) pictures_.pop_front();
+            pictures_.push_back(std::move(message));
+        } else if (outgoing_.size() < kMostOutgoing) {
+            outgoing_.push_back(std::move(message));
+        }
     }
     wake_.notify_one();
 }
 
 std::vector<Heard> Endpoint::take_commands() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(commands_, {});
+    const std::unique_lock lock(commands_mutex_, std::try_to_lock);
+    if (!lock) return {};  // they wait for the next step
+    const auto end = commands_.begin() +
+                     static_cast<std::ptrdiff_t>(std::min(commands_.size(), kCommandsAtOnce));
+    std::vector<Heard> taken(std::move_iterator(commands_.begin()), std::move_iterator(end));
+    commands_.erase(commands_.begin(), end);
+    return taken;
 }
 
 void Endpoint::hear() {
@@ -63,26 +89,32 @@ void Endpoint::hear() {
     constexpr int kCheckStopping = 50;
     while (true) {
         const auto received = socket_.receive(buffer, kCheckStopping);
-        {
-            const std::lock_guard lock(mutex_);
-            if (stopping_) return;
+        if (stopping_) return;
+        drop_silent();
+        if (received) {
+            hear({buffer.data(), received->size}, received->from);
+        } else {
+            drop_unreachable();
         }
-        drop_dead();
-        if (!received) continue;
-        const Peer sender = UdpSocket::peer(received->from);
-        const auto message = [&](const std::string& path, std::span<const Argument> arguments) {
-            const auto said = understand(path, arguments, sender);
-            if (const auto* refusal = std::get_if<Refusal>(&said)) {
-                refuse(*refusal, sender);
-            } else if (const auto& command = std::get<Command>(said); !handled(command)) {
-                const std::lock_guard lock(mutex_);
-                if (commands_.size() >= kMostCommands) return;
-                commands_.push_back({command, path, {arguments.begin(), arguments.end()}});
-            }
-        };
-        if (!decode({buffer.data(), received->size}, message)) {
-            refuse({"packet", "expected an OSC message or bundle"}, sender);
+    }
+}
+
+void Endpoint::hear(std::span<const char> packet, const sockaddr_in& from) {
+    const Peer sender = UdpSocket::peer(from);
+    const auto message = [&](const std::string& path, std::span<const Argument> arguments) {
+        // Two servers that are told of each other must not complain to each other for ever.
+        if (path == "/error") return;
+        const auto said = understand(path, arguments, sender);
+        if (const auto* refusal = std::get_if<Refusal>(&said)) {
+            refuse(*refusal, sender);
+        } else if (const auto& command = std::get<Command>(said); !handled(command)) {
+            const std::lock_guard lock(commands_mutex_);
+            if (commands_.size() >= kMostCommands) return;
+            commands_.push_back({command, path, {arguments.begin(), arguments.end()}});
         }
+    };
+    if (!decode(packet, message)) {
+        refuse({"packet", "expected an OSC message or bundle"}, sender);
     }
 }
 
@@ -98,19 +130,30 @@ bool Endpoint::handled(const Command& command) {
         command);
 }
 
+/// In numbers, or by a name that was given to --allow: to look others up takes seconds, in which
+/// nobody would be heard.
+in_addr_t Endpoint::known_host(const std::string& host) const {
+    if (const auto numeric = UdpSocket::numeric(host)) return *numeric;
+    const auto named = std::find(options_.allow.begin(), options_.allow.end(), host);
+    if (named == options_.allow.end()) {
+        throw std::runtime_error(host.substr(0, 80) +
+                                 ": not allowed; expected an address in numbers, or a host given "
+                                 "with --allow");
+    }
+    return allowed_[static_cast<std::size_t>(named - options_.allow.begin())];
+}
+
 sockaddr_in Endpoint::allowed_target(const Peer& to, const Peer& asker) const {
-    const sockaddr_in target = UdpSocket::resolve(to.host, to.port);
-    const in_addr_t host = target.sin_addr.s_addr;
+    const in_addr_t host = known_host(to.host);
     constexpr std::uint32_t kLoopback = 127;
-    const bool allowed = ntohl(host) >> 24U == kLoopback ||
-                         host == UdpSocket::resolve(asker.host, asker.port).sin_addr.s_addr ||
+    const bool allowed = ntohl(host) >> 24U == kLoopback || host == known_host(asker.host) ||
                          std::find(allowed_.begin(), allowed_.end(), host) != allowed_.end();
     if (!allowed) {
         throw std::runtime_error(to.host +
                                  ": not allowed; expected this machine, the asker's, or a "
                                  "host given with --allow");
     }
-    return target;
+    return UdpSocket::address(host, to.port);
 }
 
 void Endpoint::handle(const Subscribe& wish) {
@@ -123,9 +166,9 @@ void Endpoint::handle(const Subscribe& wish) {
 
 void Endpoint::handle(const Unsubscribe& wish) {
     try {
-        audience_.drop(UdpSocket::resolve(wish.peer.host, wish.peer.port));
-    } catch (const std::runtime_error&) {
-        // A name that cannot be looked up is nobody's: nothing to remove.
+        audience_.drop(allowed_target(wish.peer, wish.asker));
+    } catch (const std::runtime_error& error) {
+        refuse({"/unsubscribe", error.what()}, wish.asker);
     }
 }
 
@@ -176,13 +219,19 @@ void Endpoint::handle(const Describe& wish) {
     }
 }
 
-void Endpoint::drop_dead() {
+void Endpoint::drop_unreachable() {
     while (const auto gone = socket_.unreachable()) {
         if (!audience_.drop(*gone)) continue;
         const Peer peer = UdpSocket::peer(*gone);
         tell(DroppedMessage{peer.host, peer.port});
     }
-    for (const Peer& peer : audience_.drop_silent(wall_())) {
+}
+
+void Endpoint::drop_silent() {
+    const double now = wall_();
+    if (now < next_check_) return;
+    next_check_ = now + kCheckInterval;
+    for (const Peer& peer : audience_.drop_silent(now)) {
         tell(DroppedMessage{peer.host, peer.port});
     }
 }
@@ -193,29 +242,38 @@ void Endpoint::refuse(const Refusal& refusal, const Peer& sender) {
 
 void Endpoint::answer(const Peer& asker, const std::string& address,
                       std::vector<std::string> texts) {
-    try {
-        socket_.send(encode_text(address, texts), UdpSocket::resolve(asker.host, asker.port));
-    } catch (const std::runtime_error&) {
-        // The asker's address came from its own packet; if it is gone there is nobody to tell.
+    const sockaddr_in to = UdpSocket::address(known_host(asker.host), asker.port);
+    {
+        const std::lock_guard lock(answers_mutex_);
+        if (!answers_.allows(to.sin_addr.s_addr, wall_())) return;
     }
+    socket_.send(encode_text(address, texts), to);
 }
 
 void Endpoint::send_loop() {
+    options_.before_sending();
     next_clock_ = wall_();
     while (true) {
         std::deque<Outgoing> batch;
+        std::optional<Outgoing> picture;
         {
-            std::unique_lock lock(mutex_);
+            std::unique_lock lock(outgoing_mutex_);
             double due = next_clock_;
             if (!repeats_.empty()) due = std::min(due, repeats_.front().wall);
             const double wait = std::max(0.0, due - wall_());
-            wake_.wait_for(lock, std::chrono::duration<double>(wait),
-                           [this] { return stopping_ || !outgoing_.empty(); });
+            wake_.wait_for(lock, std::chrono::duration<double>(wait), [this] {
+                return stopping_ || !outgoing_.empty() || !pictures_.empty();
+            });
             if (stopping_ && outgoing_.empty()) return;
             batch.swap(outgoing_);
+            if (batch.empty() && !pictures_.empty()) {
+                picture = std::move(pictures_.front());
+                pictures_.pop_front();
+            }
         }
         for (const Outgoing& message : batch) send(message);
         send_due(wall_());
+        if (picture) send_picture(*picture);
     }
 }
 
@@ -235,8 +293,11 @@ void Endpoint::send_contact(const ContactMessage& contact) {
     Packet packet = encode(contact, earlier, options_.lookahead);
     broadcast(packet, Feed::sound);
     const double now = wall_();
-    const double gap = kRepeatShare * options_.lookahead;
-    for (int i = 1; i <= kRepeats; ++i) repeats_.push_back({now + i * gap, packet});
+    const double over = kRepeatShare * options_.lookahead;
+    const int repeats =
+        std::clamp(static_cast<int>(over / kRepeatsApart), kLeastRepeats, kMostRepeats);
+    const double gap = over / repeats;
+    for (int i = 1; i <= repeats; ++i) repeats_.push_back({now + i * gap, packet});
     std::sort(repeats_.begin(), repeats_.end(),
               [](const Repeat& a, const Repeat& b) { return a.wall < b.wall; });
     recent_.push_front(contact);
@@ -250,12 +311,6 @@ void Endpoint::send(const Outgoing& message) {
         send_routed(event_of(*contact));
     } else if (const auto* strike = std::get_if<StrikeMessage>(&message)) {
         send_routed(event_of(*strike));
-    } else if (const auto* pose = std::get_if<PoseMessage>(&message)) {
-        broadcast(encode(*pose, lookahead), Feed::pose);
-        if (!audience_.wanted(EventKind::pose)) return;
-        for (const BodyPose& body : pose->bodies) send_routed(event_of(body, pose->wall));
-    } else if (const auto* scene = std::get_if<SceneMessage>(&message)) {
-        broadcast(encode(*scene, lookahead), Feed::pose);
     } else if (const auto* status = std::get_if<StatusMessage>(&message)) {
         broadcast(encode(*status, subscribers(), lookahead), Feed::all);
         send_routed(event_of(*status));
@@ -265,16 +320,35 @@ void Endpoint::send(const Outgoing& message) {
         broadcast(encode(*started, lookahead), Feed::all);
     } else if (const auto* finished = std::get_if<FinishedMessage>(&message)) {
         broadcast(encode(*finished, lookahead), Feed::all);
-    } else {
-        broadcast(encode(std::get<DroppedMessage>(message)), Feed::all);
+    } else if (const auto* dropped = std::get_if<DroppedMessage>(&message)) {
+        broadcast(encode(*dropped), Feed::all);
     }
 }
 
-void Endpoint::send_routed(const Event& event) {
+void Endpoint::send_picture(const Outgoing& message) {
+    if (const auto* scene = std::get_if<SceneMessage>(&message)) {
+        broadcast(encode(*scene, options_.lookahead), Feed::pose);
+        return;
+    }
+    const auto& pose = std::get<PoseMessage>(message);
+    broadcast(encode(pose, options_.lookahead), Feed::pose);
+    if (!audience_.wanted(EventKind::pose)) return;
+    std::size_t sent = 0;
+    for (const BodyPose& body : pose.bodies) {
+        if (sent >= kMostRoutedPoses) return;
+        sent += send_routed(event_of(body, pose.wall));
+    }
+}
+
+/// Returns how many packets that made.
+std::size_t Endpoint::send_routed(const Event& event) {
+    std::size_t sent = 0;
     audience_.route(event, [&](const Route& route, const sockaddr_in& to) {
+        ++sent;
         const std::vector<Argument> values = arguments(route, event);
         socket_.send(encode_routed(route.address, values, event.wall + options_.lookahead), to);
     });
+    return sent;
 }
 
 void Endpoint::broadcast(const Packet& packet, Feed feed) {

@@ -6,6 +6,7 @@
 // each.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -14,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "osc/answer_budget.hpp"
 #include "osc/audience.hpp"
 #include "osc/outgoing.hpp"
 #include "osc/udp_socket.hpp"
@@ -28,6 +30,8 @@ struct EndpointOptions {
     /// Hosts that may be sent to at another's wish; always allowed are this machine and who asks.
     std::vector<std::string> allow;
     std::vector<std::string> routes;  ///< from the start, as lines of text
+    /// What the sending thread does first: asks for a priority, say.
+    std::function<void()> before_sending = [] {};
 };
 
 /// A command, and the message that it was.
@@ -50,11 +54,12 @@ class Endpoint {
         return audience_.routes();
     }
 
-    /// Hands a message to the sending thread. Any thread; may take memory, waits for no I/O.
+    /// Hands a message to the sending thread. Any thread; may take memory, waits for no I/O. Where
+    /// the network is too slow for what is told, poses are left out.
     void tell(Outgoing message);
-    /// A question's answer, to the asker alone.
+    /// A question's answer, to the asker alone, unless it asks too often (AnswerBudget).
     void answer(const Peer& asker, const std::string& address, std::vector<std::string> texts);
-    /// What has been asked for since the last call, in order. Simulating thread.
+    /// What has been asked for, in order, a few at a time: obeying takes time. Simulating thread.
     std::vector<Heard> take_commands();
 
   private:
@@ -63,6 +68,7 @@ class Endpoint {
         Packet packet;
     };
     void hear();
+    void hear(std::span<const char> packet, const sockaddr_in& from);
     bool handled(const Command& command);
     void handle(const Subscribe& wish);
     void handle(const Unsubscribe& wish);
@@ -72,31 +78,42 @@ class Endpoint {
     void handle(const ListRoutes& wish);
     void handle(const Ping& wish);
     void handle(const Describe& wish);
+    [[nodiscard]] in_addr_t known_host(const std::string& host) const;
     [[nodiscard]] sockaddr_in allowed_target(const Peer& to, const Peer& asker) const;
-    void drop_dead();
+    void drop_unreachable();
+    void drop_silent();
     void refuse(const Refusal& refusal, const Peer& sender);
     void send_loop();
     void send_contact(const ContactMessage& contact);
     void send_due(double now);
     void send(const Outgoing& message);
-    void send_routed(const Event& event);
+    void send_picture(const Outgoing& message);
+    std::size_t send_routed(const Event& event);
     void broadcast(const Packet& packet, Feed feed);
 
     EndpointOptions options_;
     std::function<double()> wall_;
     UdpSocket socket_;
-    std::vector<in_addr_t> allowed_;  ///< numeric, of options.allow
+    std::vector<in_addr_t> allowed_;  ///< numeric, of options.allow, in its order
     Audience audience_;
 
-    mutable std::mutex mutex_;  ///< guards all below but what the sending thread alone uses
+    std::atomic<bool> stopping_{false};
+
+    // A lock each, none held for long: a flood keeps the hearing thread busy, and who holds a lock
+    // may lose the processor; the simulating thread never waits for that one.
+    std::mutex commands_mutex_;
+    std::deque<Heard> commands_;
+    std::mutex answers_mutex_;
+    AnswerBudget answers_;
+    std::mutex outgoing_mutex_;
     std::condition_variable wake_;
-    std::vector<Heard> commands_;
     std::deque<Outgoing> outgoing_;
-    bool stopping_ = false;
+    std::deque<Outgoing> pictures_;  ///< poses and scenes: sent when nothing else waits
 
     std::deque<ContactMessage> recent_;  ///< sending thread: newest first
     std::deque<Repeat> repeats_;         ///< sending thread
     double next_clock_ = 0.0;            ///< sending thread
+    double next_check_ = 0.0;            ///< of silent subscribers; hearing thread
 
     std::thread hearing_, sending_;
 };

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -12,16 +14,23 @@ namespace percussionist::osc {
 namespace {
 
 constexpr std::size_t kMostWords = 64;
+constexpr std::size_t kLongestLine = 1000;  // so that answers fit a packet
 
 [[noreturn]] void refuse(const std::string& expected, const std::string& got) {
+    constexpr std::size_t kMost = 80;
     throw std::invalid_argument("route: expected " + expected + ", got " +
-                                (got.empty() ? "nothing" : "'" + got + "'"));
+                                (got.empty() ? "nothing" : "'" + got.substr(0, kMost) + "'"));
 }
 
 /// Words of a line, one after the other; "" when there are no more.
 class Words {
   public:
     explicit Words(const std::string& line) {
+        if (line.size() > kLongestLine) refuse("at most 1000 characters", line.substr(0, 40));
+        // In a file a comment would begin there.
+        if (line.find('#') != std::string::npos) refuse("no #", line.substr(line.find('#')));
+        const auto control = [](unsigned char c) { return std::iscntrl(c) && !std::isspace(c); };
+        if (std::any_of(line.begin(), line.end(), control)) refuse("text", "control characters");
         std::istringstream in(line);
         for (std::string word; in >> word;) words_.push_back(word);
         if (words_.size() > kMostWords) refuse("at most 64 words", line.substr(0, 40) + "...");
@@ -132,6 +141,8 @@ Route parse_route(const std::string& line) {
         if (const std::string when = words.next(); when != "when") refuse("'when'", when);
         condition(words, route);
     }
+    // As it is written into a file, a factor's digits can make it longer.
+    if (to_string(route).size() > kLongestLine) refuse("a shorter route", line.substr(0, 40));
     return route;
 }
 

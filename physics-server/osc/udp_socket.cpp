@@ -1,16 +1,34 @@
 #include "osc/udp_socket.hpp"
 
 #include <arpa/inet.h>
+#include <linux/errqueue.h>
 #include <netdb.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
 namespace percussionist::osc {
+
+namespace {
+
+/// Of what the kernel reports about a packet that was sent.
+int reason(msghdr& message) {
+    for (cmsghdr* c = CMSG_FIRSTHDR(&message); c != nullptr; c = CMSG_NXTHDR(&message, c)) {
+        if (c->cmsg_level != IPPROTO_IP || c->cmsg_type != IP_RECVERR) continue;
+        sock_extended_err error{};
+        std::memcpy(&error, CMSG_DATA(c), sizeof error);
+        return static_cast<int>(error.ee_errno);
+    }
+    return 0;
+}
+
+}  // namespace
 
 sockaddr_in UdpSocket::resolve(const std::string& host, const std::string& port) {
     addrinfo hints{};
@@ -31,6 +49,21 @@ Peer UdpSocket::peer(const sockaddr_in& address) {
     char text[INET_ADDRSTRLEN] = "";
     inet_ntop(AF_INET, &address.sin_addr, text, sizeof text);
     return {text, std::to_string(ntohs(address.sin_port))};
+}
+
+std::optional<in_addr_t> UdpSocket::numeric(const std::string& host) {
+    in_addr address{};
+    const char* text = host == "localhost" ? "127.0.0.1" : host.c_str();
+    if (inet_pton(AF_INET, text, &address) != 1) return std::nullopt;
+    return address.s_addr;
+}
+
+sockaddr_in UdpSocket::address(in_addr_t host, const std::string& port) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = host;
+    address.sin_port = htons(static_cast<std::uint16_t>(std::strtoul(port.c_str(), nullptr, 10)));
+    return address;
 }
 
 UdpSocket::UdpSocket(const std::string& host, int port) {
@@ -59,8 +92,12 @@ std::optional<sockaddr_in> UdpSocket::unreachable() {
     message.msg_iovlen = 1;
     message.msg_control = control;
     message.msg_controllen = sizeof control;
-    if (recvmsg(fd_, &message, MSG_ERRQUEUE | MSG_DONTWAIT) < 0) return std::nullopt;
-    return peer;
+    // A cable that is out is another thing: who was told before is told again when it is in.
+    while (recvmsg(fd_, &message, MSG_ERRQUEUE | MSG_DONTWAIT) >= 0) {
+        if (reason(message) == ECONNREFUSED) return peer;
+        message.msg_controllen = sizeof control;
+    }
+    return std::nullopt;
 }
 
 UdpSocket::~UdpSocket() {

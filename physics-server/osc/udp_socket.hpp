@@ -41,6 +41,10 @@ class UdpSocket {
     /// Looks a host up; throws if there is none. May take seconds for a name.
     static sockaddr_in resolve(const std::string& host, const std::string& port);
     static Peer peer(const sockaddr_in& address);
+    /// An address written in numbers, or localhost; nothing for a name that has to be looked up.
+    static std::optional<in_addr_t> numeric(const std::string& host);
+    /// `port` in figures.
+    static sockaddr_in address(in_addr_t host, const std::string& port);
 
   private:
     int fd_ = -1;

@@ -21,16 +21,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             out.clear();
         }
     }
-    // Whatever half a command or pause there was: a line end, all off, and time for it.
-    now += 4.0;
+    // Whatever half a command or pause there was: a line end, all off, and time for it; more time
+    // for slow lines and restarts.
     const std::string_view ask =
         "\r\x11"
         "co1152\rS";
-    unit.receive({reinterpret_cast<const std::uint8_t*>(ask.data()), ask.size()}, now);
     out.clear();
-    unit.advance(now + 20.0, out);
-    if (!motion::find_status({reinterpret_cast<const char*>(out.data()), out.size()})) {
-        std::abort();
+    for (const double patience : {0.1, 0.4, 3.5, 20.0}) {
+        unit.receive({reinterpret_cast<const std::uint8_t*>(ask.data()), ask.size()}, now);
+        unit.advance(now += patience, out);
+        if (motion::find_status({reinterpret_cast<const char*>(out.data()), out.size()})) {
+            return 0;
+        }
     }
-    return 0;
+    std::abort();
 }

@@ -19,7 +19,7 @@
 
 #include "io/monotonic.hpp"
 #include "io/udp_socket.hpp"
-#include "net/pd_process.hpp"
+#include "net/process.hpp"
 #include "net/relay.hpp"
 #include "support/osc_writer.hpp"
 
@@ -103,10 +103,10 @@ std::vector<Note> read_notes(const std::string& path) {
 Result play(const Scenario& scenario, char** arguments) {
     const int port = free_port();
     const std::string path = "/tmp/osc_receive_notes." + std::to_string(getpid());
-    PdProcess pd(arguments[1],
-                 {"-path", arguments[2], "-path", std::string(arguments[2]) + "/../net", "-open",
-                  std::string(arguments[3]) + "/receive.pd", "-send",
-                  "osc-port port " + std::to_string(port)});
+    Process pd(pd_command(arguments[1],
+                          {"-path", arguments[2], "-path", std::string(arguments[2]) + "/../net",
+                           "-open", std::string(arguments[3]) + "/receive.pd", "-send",
+                           "osc-port port " + std::to_string(port)}));
     Result result;
     if (!wait_for_listener(port)) {
         return result;

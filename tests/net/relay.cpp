@@ -34,8 +34,9 @@ void wait(int handle, double seconds) {
 
 }  // namespace
 
-Relay::Relay(int port, const io::Endpoint& to, const RelaySettings& settings)
-    : socket_("127.0.0.1", port), to_(to), settings_(settings), thread_([this] { run(); }) {}
+Relay::Relay(int port, const io::Endpoint& to, const RelaySettings& settings,
+             const std::string& address)
+    : socket_(address, port), to_(to), settings_(settings), thread_([this] { run(); }) {}
 
 Relay::~Relay() {
     ending_ = true;
@@ -51,7 +52,7 @@ void Relay::run() {
     const auto take = [&](std::span<const std::uint8_t> bytes, const io::Endpoint&, double now) {
         for (int copies = chance(random) < settings_.doubled ? 2 : 1; copies > 0; --copies) {
             const double due = now + settings_.delay + settings_.jitter * chance(random);
-            if (chance(random) >= settings_.loss) {
+            if (chance(random) >= settings_.loss && !cut_) {
                 waiting.push({due, serial++, {bytes.begin(), bytes.end()}});
             }
         }

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 #include <thread>
 
 #include "io/udp_socket.hpp"
@@ -21,12 +22,16 @@ struct RelaySettings {
 
 class Relay {
   public:
-    Relay(int port, const io::Endpoint& to, const RelaySettings& settings);
+    /// Listens on this machine alone, or by `address` ("0.0.0.0": by all of its networks).
+    Relay(int port, const io::Endpoint& to, const RelaySettings& settings,
+          const std::string& address = "127.0.0.1");
     ~Relay();
     Relay(const Relay&) = delete;
     Relay& operator=(const Relay&) = delete;
 
     int port() const { return socket_.port(); }
+    /// The cable is out (nothing passes), or in again.
+    void cut(bool out) { cut_ = out; }
 
   private:
     void run();
@@ -34,7 +39,7 @@ class Relay {
     io::UdpSocket socket_;
     io::Endpoint to_;
     RelaySettings settings_;
-    std::atomic<bool> ending_{false};
+    std::atomic<bool> ending_{false}, cut_{false};
     std::thread thread_;
 };
 

@@ -265,3 +265,24 @@ TEST_CASE("malformed packets are counted; one a second is told of") {
           "malformed packet from 127.0.0.1:7770: byte 0: expected a multiple of 4 bytes, not 2");
     CHECK(box.got.empty());
 }
+
+TEST_CASE(
+    "strokes of a time in which a sender was silent are stale, those in time or late are not") {
+    std::vector<bool> stale;
+    OscInbox inbox([&](std::unique_ptr<Delivery> delivery) { stale.push_back(delivery->stale); });
+    for (int i = 0; i < 100; ++i) {
+        inbox.take(clock_packet(0.01 * i, kLookahead), kServer, 5e4 + 0.01 * i);
+    }
+    stale.clear();
+    inbox.take(contact_packet({{0, 0.8}}, kLookahead), kServer, 5e4 + 1.0);
+    CHECK(stale == std::vector<bool>{false});
+    stale.clear();
+    const double back = 11.0;  // with what rode along
+    inbox.take(contact_packet({{9, back - 0.01}, {8, back - 0.2}, {7, 8.0}}, kLookahead), kServer,
+               5e4 + back);
+    inbox.take(osc_bundle(osc_tag(8.0), {osc_message("/other", "", {})}), kServer, 5e4 + back);
+    CHECK(std::count(stale.begin(), stale.end(), true) == 2);
+    stale.clear();
+    inbox.take(contact_packet({{10, back - 0.01}}, kLookahead), kServer, 5e4 + back + 0.3);
+    CHECK(stale == std::vector<bool>{false});
+}

@@ -93,6 +93,22 @@ TEST_CASE("what is late leaves at once and is counted") {
     CHECK(pd.playout.latest() == doctest::Approx(0.02).epsilon(0.1));
 }
 
+TEST_CASE("what is stale is counted, and comes without its messages; with latency it is in time") {
+    for (const double latency : {0.0, 0.2}) {
+        FakePd pd;
+        pd.run(0.5);
+        pd.playout.set_latency(latency);
+        auto stale = delivery(pd.monotonic - 0.15, 0);
+        stale->stale = true;
+        stale->messages.emplace_back();
+        pd.playout.add(std::move(stale));
+        const auto taken = pd.playout.take(std::max(pd.logical, pd.playout.next()));
+        REQUIRE(taken);
+        CHECK(taken->messages.empty() == (latency == 0.0));
+        CHECK(pd.playout.late() == (latency == 0.0 ? 1 : 0));
+    }
+}
+
 TEST_CASE("latency is added to what has a time") {
     FakePd pd;
     pd.run(0.5);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "io/monotonic.hpp"
 #include "io/udp_socket.hpp"
@@ -231,4 +232,43 @@ TEST_CASE("many objects come and go while packets arrive") {
         host.destroy(i % 2 == 0 ? b : a);
     }
     CHECK(host.errors().empty());
+}
+
+TEST_CASE("deleted by what it sends itself, of many messages at once, it ends in peace") {
+    for (const int which : {0, 3}) {
+        FakeHost host;
+        FakeObject* object = create(host);
+        const io::UdpSocket sender("127.0.0.1", 0);
+        OscBytes many = osc_bundle(1, std::vector<OscBytes>(8, osc_message("/a", "", {})));
+        int heard = 0;
+        FakeHost::on_sent([&](const Sent& sent) {
+            if (sent.outlet == 0 && heard++ == which) {
+                host.destroy(std::exchange(object, nullptr));
+            }
+        });
+        sender.send(here(*object), many);
+        for (const double end = io::monotonic_seconds() + 10.0;
+             object && io::monotonic_seconds() < end;) {
+            host.run_tick();
+        }
+        CHECK(heard == which + 1);
+        CHECK(!object);
+        host.run_tick();
+        FakeHost::on_sent({});
+        CHECK(host.errors().empty());
+    }
+}
+
+TEST_CASE("deleted by its own status, it ends in peace too") {
+    FakeHost host;
+    FakeObject* object = create(host);
+    int heard = 0;
+    FakeHost::on_sent([&](const Sent&) {
+        ++heard;
+        host.destroy(std::exchange(object, nullptr));
+    });
+    object->message("status");
+    CHECK(heard == 1);
+    FakeHost::on_sent({});
+    host.run_tick();
 }

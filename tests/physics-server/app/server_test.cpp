@@ -38,11 +38,14 @@ class RunningServer {
     explicit RunningServer(app::ServeOptions options = {})
         : server_(with_free_port(std::move(options)), clock_),
           thread_([this] { server_.run(stop_); }) {}
-    ~RunningServer() {
+    ~RunningServer() { end(); }
+    void end() {
         stop_ = true;
-        thread_.join();
+        if (thread_.joinable()) thread_.join();
     }
     int port() const { return server_.port(); }
+    TestClock& clock() { return clock_; }
+    const app::Server& server() const { return server_; }  ///< once it has ended
 
   private:
     static app::ServeOptions with_free_port(app::ServeOptions options) {
@@ -218,6 +221,29 @@ TEST_CASE("server: a listener that has gone is dropped, and the others are told"
     }
     REQUIRE(stays.hears("/dropped"));
     CHECK(stays.texts("/dropped").at(1) == std::to_string(gone));
+}
+
+TEST_CASE(
+    "server: held up for a second or an hour it pauses, reports late steps, and plays every "
+    "stroke") {
+    for (const double seconds : {1.0, 3600.0}) {
+        RunningServer running;
+        OscListener listener(running.port());
+        listener.send(subscription(listener, "sound"));
+        REQUIRE(listener.hears("/status"));
+        listener.send("/play");
+        REQUIRE(listener.hears("/contact", 20));
+        running.clock().jump(seconds);
+        REQUIRE(listener.hears("/finished"));
+        CHECK(listener.contacts().size() == 153);
+        running.end();
+        const sim::Simulation& simulation = running.server().performance().simulation();
+        CHECK(running.server().late_steps() >=
+              static_cast<int>(0.9 * seconds / simulation.step_length()));
+        // The pause is none of simulated time: strokes keep their distances.
+        CHECK(simulation.time() < 600.0);
+        CHECK(running.server().performance().summary().worst_error < 0.02);
+    }
 }
 
 TEST_CASE("server: a port that is taken is one clear error") {

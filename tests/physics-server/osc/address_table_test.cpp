@@ -53,6 +53,14 @@ TEST_CASE("address table: wrong type, range or number of arguments is refused by
     CHECK(refusal("/dance", {}).find("/describe") != std::string::npos);
 }
 
+TEST_CASE("address table: a refusal is short, however long what it refuses") {
+    const std::string long_text(60000, 'x');
+    CHECK(refusal("/tempo", {long_text}).size() < 300);
+    CHECK(refusal("/subscribe", {1.0, long_text}).size() < 300);
+    const auto said = understand('/' + long_text, {}, kSender);
+    CHECK(std::get<Refusal>(said).address.size() < 300);
+}
+
 TEST_CASE("address table: a bound is within the range, also when it came as a float") {
     for (const Address& address : address_table()) {
         std::vector<Argument> least, most;

@@ -77,6 +77,17 @@ TEST_CASE("route: a line that is wrong is refused by the word") {
     CHECK(refusal("").find("nothing") != std::string::npos);
 }
 
+TEST_CASE("route: a line that a file could not hold, or an answer, is refused") {
+    CHECK(refusal("contact to h:1 /x#y r").find("no #") != std::string::npos);
+    CHECK(refusal(std::string("contact to h:1 /x\0y", 19)) != "");
+    CHECK(refusal("contact to h:1 /" + std::string(1000, 'x')).find("1000") != std::string::npos);
+    std::string grows = "contact to h:1 /x";
+    for (int i = 0; i < 60; ++i) grows += " r/0.0660123+0.1";
+    CHECK(grows.size() < 1000);
+    CHECK(refusal(grows).find("shorter") != std::string::npos);
+    CHECK(refusal(std::string(900, 'x')).size() < 200);
+}
+
 TEST_CASE("route: any bytes are a route or refused") {
     std::mt19937 random(1);
     const std::string good = "contact to 10.0.0.1:9000 /hit velocity*0.5+1 r when hand 1 1";
