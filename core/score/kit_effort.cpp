@@ -14,7 +14,6 @@ constexpr double kPair = 3.0;
 constexpr double kPairFades = 0.2;  // [s]
 constexpr double kPairAtOnce = 5.0;
 constexpr double kPreference = 1.4;
-constexpr double kCrossing = 40.0;
 /// So far may the left stick be to the right of the right one before that is a crossing [m].
 constexpr double kBesides = 0.03;
 
@@ -43,50 +42,58 @@ HandEffort::HandEffort(const Kit& kit)
     }
 }
 
-std::optional<Effort> HandEffort::of(const HandHit& hit, Limb hand, const HandPast& own,
-                                     const HandPast& other) const {
-    if (!kit_.events[hit.event].reach[index(hand)]) return std::nullopt;
-    Effort effort;
-    if (own.hit != nullptr && !moves(hit, hand, own, effort)) return std::nullopt;
-    agree(hit, hand, other, effort);
-    if (hand == Limb::left_hand) effort.lead = lead_of_left(hit.beat);
+Effort HandEffort::of(const HandHit& hit, Limb hand, const HandPast& own,
+                      const HandPast& other) const {
+    Effort effort = alone(hit, hand, own);
+    const Effort both = beside(hit, hand, other);
+    if (effort.possible()) effort.obstacle = both.obstacle;
+    effort.pair = both.pair;
+    effort.preference = both.preference;
     return effort;
 }
 
-bool HandEffort::moves(const HandHit& hit, Limb hand, const HandPast& own, Effort& effort) const {
+Effort HandEffort::alone(const HandHit& hit, Limb hand, const HandPast& own) const {
+    Effort effort;
+    if (!kit_.events[hit.event].reach[index(hand)]) effort.obstacle = Obstacle::reach;
+    if (hand == Limb::left_hand) effort.lead = lead_of_left(hit.beat);
+    if (own.hit != nullptr && effort.possible()) move(hit, hand, own, effort);
+    return effort;
+}
+
+void HandEffort::move(const HandHit& hit, Limb hand, const HandPast& own, Effort& effort) const {
     const double gap = hit.time - own.hit->time;
     const bool same_object = kit_.events[hit.event].object == kit_.events[own.hit->event].object;
     if (gap < kit_.limits.interval) {
-        if (!(same_object && !own.bounced && gap >= kit_.limits.bounce)) return false;
-        effort.bounces = true;
+        effort.bounces = same_object && !own.bounced && gap >= kit_.limits.bounce;
+        if (!effort.bounces) effort.obstacle = Obstacle::too_soon;
         effort.repeat = kBounce;
-        return true;
+        return;
     }
     const double ratio = kDearRepeat / std::min(gap, kMemory);
     effort.repeat = ratio * ratio * ratio;
     const double speed = distance(hand, own.hit->event, hit.event) / (gap - kit_.limits.settling);
-    if (speed > kit_.limits.speed) return false;
+    if (speed > kit_.limits.speed) effort.obstacle = Obstacle::too_far;
     effort.way = speed * speed / (kEasySpeed * kEasySpeed);
-    return true;
 }
 
-void HandEffort::agree(const HandHit& hit, Limb hand, const HandPast& other, Effort& effort) const {
+Effort HandEffort::beside(const HandHit& hit, Limb hand, const HandPast& other) const {
+    Effort effort;
     const KitEvent& event = kit_.events[hit.event];
     double pair_rules = 0.0;
     if (other.hit != nullptr) {
         const double since = hit.time - other.hit->time;
-        const auto& pair = kit_.pair(hit.event, other.hit->event);
-        if (pair) {
+        const bool is_left = hand == Limb::left_hand;
+        const std::size_t left = is_left ? hit.event : other.hit->event;
+        const std::size_t right = is_left ? other.hit->event : hit.event;
+        if (since <= kCrossingWithin && crossed(left, right)) effort.obstacle = Obstacle::crossing;
+        if (const auto& pair = kit_.pair(hit.event, other.hit->event)) {
             pair_rules = std::exp(-since / kPairFades);
             const double weight = since <= kAtOnce ? kPairAtOnce * kPair : kPair;
             if (pair->hand != hand) effort.pair = weight * pair_rules;
         }
-        const bool is_left = hand == Limb::left_hand;
-        const std::size_t left = is_left ? hit.event : other.hit->event;
-        const std::size_t right = is_left ? other.hit->event : hit.event;
-        if (since <= kCrossingWithin && crossed(left, right)) effort.crossing = kCrossing;
     }
     if (event.hand && *event.hand != hand) effort.preference = kPreference * (1.0 - pair_rules);
+    return effort;
 }
 
 }  // namespace percussionist::score

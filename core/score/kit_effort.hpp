@@ -7,18 +7,17 @@
 //     pair        against the pair's preference: 3 exp(-q / 0.2 s), q the time since the other
 //                 hand's hit; five times that at one instant
 //     preference  against the event's own hand: 1.4, less what the pair has to say
-//     crossing    40 where the arms lie across within 0.25 s and the pair does not ask for it
 //     lead        the left hand on a beat
 // A hand repeats after `interval`, or once after `bounce` on the object where it is: the stick
-// bounces. The order of the parts is that of Kragtwijk, Nijholt and Zwiers, "An animated virtual
+// bounces. Arms do not cross within 0.25 s of each other's hits but where a pair asks for it. The
+// order of the parts is that of Kragtwijk, Nijholt and Zwiers, "An animated virtual
 // drummer" (2001), 3.3; the numbers are our choice.
 //
-// The constructor allocates; of() does not. Any thread.
+// The constructor allocates; the rest does not. Any thread.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "core/score/kit.hpp"
@@ -39,12 +38,15 @@ struct HandPast {
     bool bounced = false;  ///< it was the second of a bounced pair
 };
 
+/// Why a hand cannot play a hit.
+enum class Obstacle { none, reach, too_soon, too_far, crossing };
+
 struct Effort {
-    double way = 0.0, repeat = 0.0, pair = 0.0, preference = 0.0, crossing = 0.0, lead = 0.0;
+    Obstacle obstacle = Obstacle::none;
+    double way = 0.0, repeat = 0.0, pair = 0.0, preference = 0.0, lead = 0.0;
     bool bounces = false;
-    [[nodiscard]] double total() const {
-        return way + repeat + pair + preference + crossing + lead;
-    }
+    [[nodiscard]] bool possible() const { return obstacle == Obstacle::none; }
+    [[nodiscard]] double total() const { return way + repeat + pair + preference + lead; }
 };
 
 class HandEffort {
@@ -58,9 +60,13 @@ class HandEffort {
 
     explicit HandEffort(const Kit& kit);
 
-    /// None if the hand cannot play the hit.
-    [[nodiscard]] std::optional<Effort> of(const HandHit& hit, Limb hand, const HandPast& own,
-                                           const HandPast& other) const;
+    /// What the hand's own past has to do with it: way, repeat, reach, lead.
+    [[nodiscard]] Effort alone(const HandHit& hit, Limb hand, const HandPast& own) const;
+    /// What the other hand's has: pair, preference, crossing.
+    [[nodiscard]] Effort beside(const HandHit& hit, Limb hand, const HandPast& other) const;
+    /// Both.
+    [[nodiscard]] Effort of(const HandHit& hit, Limb hand, const HandPast& own,
+                            const HandPast& other) const;
     /// The arms lie across, and no pair asks for it.
     [[nodiscard]] bool crossed(std::size_t left_event, std::size_t right_event) const {
         return crossed_[left_event * size_ + right_event];
@@ -71,9 +77,7 @@ class HandEffort {
     }
 
   private:
-    [[nodiscard]] bool moves(const HandHit& hit, Limb hand, const HandPast& own,
-                             Effort& effort) const;
-    void agree(const HandHit& hit, Limb hand, const HandPast& other, Effort& effort) const;
+    void move(const HandHit& hit, Limb hand, const HandPast& own, Effort& effort) const;
 
     const Kit& kit_;
     std::size_t size_;

@@ -174,8 +174,7 @@ class Planner {
             }
             const Limb hand = played[i] == Played::left ? Limb::left_hand : Limb::right_hand;
             const std::size_t h = index(hand);
-            const auto effort = effort_.of(hit, hand, past[h], past[1 - h]);
-            const bool bounces = effort && effort->bounces;
+            const bool bounces = effort_.alone(hit, hand, past[h]).bounces;
             plan_.strokes.push_back({hit.time, hand, hit.event, hit.velocity, notes_[i], bounces,
                                      why(hit, hand, past)});
             past[h] = {&hit, bounces};
@@ -185,17 +184,17 @@ class Planner {
     [[nodiscard]] Reason why(const HandHit& hit, Limb hand,
                              const std::array<HandPast, 2>& past) const {
         const std::size_t h = index(hand);
-        const auto here = effort_.of(hit, hand, past[h], past[1 - h]);
-        const auto there = effort_.of(hit, other_hand(hand), past[1 - h], past[h]);
-        if (!there) return Reason::only;
-        if (!here || here->total() > there->total()) return Reason::course;
-        const std::array<std::pair<double, Reason>, 6> parts{
-            {{there->pair - here->pair, Reason::pair},
-             {there->preference - here->preference, Reason::preference},
-             {there->repeat - here->repeat, Reason::alternation},
-             {there->way - here->way, Reason::way},
-             {there->crossing - here->crossing, Reason::crossing},
-             {there->lead - here->lead, Reason::lead}}};
+        const Effort here = effort_.of(hit, hand, past[h], past[1 - h]);
+        const Effort there = effort_.of(hit, other_hand(hand), past[1 - h], past[h]);
+        if (there.obstacle == Obstacle::crossing) return Reason::crossing;
+        if (!there.possible()) return Reason::only;
+        if (here.total() > there.total()) return Reason::course;
+        const std::array<std::pair<double, Reason>, 5> parts{
+            {{there.pair - here.pair, Reason::pair},
+             {there.preference - here.preference, Reason::preference},
+             {there.repeat - here.repeat, Reason::alternation},
+             {there.way - here.way, Reason::way},
+             {there.lead - here.lead, Reason::lead}}};
         return std::max_element(parts.begin(), parts.end(),
                                 [](const auto& a, const auto& b) { return a.first < b.first; })
             ->second;

@@ -56,9 +56,43 @@ class StateIndex {
     int newest_ = 0;
 };
 
+/// Efforts come of either hand's past by itself: each is asked for once, whatever the states.
+class EffortTable {
+  public:
+    EffortTable(const Kit& kit, std::span<const HandHit> hits) : effort_(kit), hits_(hits) {}
+
+    const Effort& alone(int hit, Limb hand, int last, bool bounced) {
+        Entry& entry = alone_[index(hand)][bounced ? 1 : 0][back(hit, last)];
+        if (entry.hit != hit) entry = {hit, effort_.alone(hits_[hit], hand, past(last, bounced))};
+        return entry.effort;
+    }
+    const Effort& beside(int hit, Limb hand, int last) {
+        Entry& entry = beside_[index(hand)][back(hit, last)];
+        if (entry.hit != hit) entry = {hit, effort_.beside(hits_[hit], hand, past(last, false))};
+        return entry.effort;
+    }
+
+  private:
+    struct Entry {
+        int hit = -1;
+        Effort effort;
+    };
+    using Entries = std::array<Entry, kMostHitsBack + 3>;
+    static std::size_t back(int hit, int last) { return last == kForgotten ? 0 : hit - last; }
+    [[nodiscard]] HandPast past(int last, bool bounced) const {
+        return last == kForgotten ? HandPast{} : HandPast{&hits_[last], bounced};
+    }
+
+    HandEffort effort_;
+    std::span<const HandHit> hits_;
+    std::array<std::array<Entries, 2>, 2> alone_;
+    std::array<Entries, 2> beside_;
+};
+
 class Search {
   public:
-    Search(const Kit& kit, std::span<const HandHit> hits) : effort_(kit), hits_(hits), states_(1) {}
+    Search(const Kit& kit, std::span<const HandHit> hits)
+        : efforts_(kit, hits), hits_(hits), states_(1) {}
 
     void advance(const HitGroup& group) {
         before_.swap(states_);
@@ -106,19 +140,15 @@ class Search {
         play(without, group, k + 1);
     }
 
-    bool strike(State& state, int hit, Limb hand) const {
+    bool strike(State& state, int hit, Limb hand) {
         const auto h = index(hand);
-        const auto effort = effort_.of(hits_[hit], hand, past(state, h), past(state, 1 - h));
-        if (!effort) return false;
-        state.cost += effort->total();
+        const Effort& alone = efforts_.alone(hit, hand, state.last[h], state.bounced[h]);
+        const Effort& beside = efforts_.beside(hit, hand, state.last[1 - h]);
+        if (!alone.possible() || !beside.possible()) return false;
+        state.cost += alone.total() + beside.total();
         state.last[h] = hit;
-        state.bounced[h] = effort->bounces;
+        state.bounced[h] = alone.bounces;
         return true;
-    }
-
-    [[nodiscard]] HandPast past(const State& state, std::size_t hand) const {
-        if (state.last[hand] == kForgotten) return {};
-        return {&hits_[state.last[hand]], state.bounced[hand]};
     }
 
     /// Of all ways that leave the hands alike, the cheapest.
@@ -167,7 +197,7 @@ class Search {
         return static_cast<std::size_t>(least - states_.begin());
     }
 
-    HandEffort effort_;
+    EffortTable efforts_;
     std::span<const HandHit> hits_;
     std::vector<State> states_;
     std::vector<State> before_;
