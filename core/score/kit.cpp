@@ -32,7 +32,6 @@ void check_drummer(const Drummer& d) {
     check_range(d.stature, 0.5, 2.5, "the drummer's stature [m]");
     check_range(d.mass, 10.0, 300.0, "the drummer's mass [kg]");
     check_range(d.hips, 0.1, 1.5, "the height of the hips [m]");
-    check_range(d.back, -1.0, 1.0, "how far back the drummer sits [m]");
     check_range(d.stick_length, 0.1, 1.0, "the stick's length [m]");
     check_range(d.stick_held, 0.0, 0.5 * d.stick_length, "where the stick is held [m]");
     check_range(d.stick_mass, 0.001, 1.0, "the stick's mass [kg]");

@@ -132,7 +132,6 @@ struct Drummer {
     double stature = 1.75;        ///< [m]
     double mass = 75.0;           ///< [kg]
     double hips = 0.60;           ///< height of the hip joints, sitting [m]
-    double back = 0.0;            ///< how far behind the origin he sits [m]
     double stick_length = 0.406;  ///< [m]
     double stick_held = 0.11;     ///< from its butt [m]
     double stick_mass = 0.055;    ///< [kg]

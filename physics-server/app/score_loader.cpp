@@ -41,6 +41,8 @@ bool is_musicxml(const std::filesystem::path& path) {
     return kind == ".musicxml" || kind == ".xml" || kind == ".mxl";
 }
 
+}  // namespace
+
 score::Score read_score(const std::filesystem::path& path, std::vector<std::string>& warnings) {
     if (path.empty()) return score::built_in_score();
     if (is_recording(path)) return listen_to(path);

@@ -82,7 +82,6 @@ class KitReader {
         l.fields({{"stature", [&] { d.stature = l.number(); }},
                   {"mass", [&] { d.mass = l.number(); }},
                   {"hips", [&] { d.hips = l.number(); }},
-                  {"back", [&] { d.back = l.number(); }},
                   {"stick", [&] { d.stick_length = l.number(); }},
                   {"held", [&] { d.stick_held = l.number(); }},
                   {"stick-mass", [&] { d.stick_mass = l.number(); }},
