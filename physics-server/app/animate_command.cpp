@@ -105,9 +105,8 @@ class Animator {
         progress.done();
         account_.line("fastest tip", fmt::format("{:.1f} m/s, at {:.3f} s", watch.top_speed(),
                                                  watch.top_speed_at()));
-        account_.line(
-            "deepest below a face",
-            fmt::format("{:.1f} mm, at {:.3f} s", 1e3 * watch.deepest(), watch.deepest_at()));
+        account_.line("sticks through faces", std::to_string(watch.through().size()));
+        through_ = watch.through();
     }
 
     void check_strokes() {
@@ -170,6 +169,11 @@ class Animator {
         std::string all = text;
         for (const auto& note : plan_.left_out) all += "left out: " + describe(note, score_) + "\n";
         for (const auto& note : plan_.doubles) all += "double: " + describe(note, score_) + "\n";
+        for (const body::Through& t : through_) {
+            all +=
+                fmt::format("through {} at {:.3f} s: the {} stick\n", kit_.objects[t.object].name,
+                            t.time, t.hand == body::Hand::left ? "left" : "right");
+        }
         files::write_text(options_.folder / "report.txt", all);
     }
 
@@ -180,6 +184,7 @@ class Animator {
     score::KitPlan plan_;
     std::unique_ptr<body::KitAnimation> animation_;
     std::vector<body::StrokeCheck> checks_;
+    std::vector<body::Through> through_;
     Account account_;
     double duration_ = 0.0;  ///< [s]
 };

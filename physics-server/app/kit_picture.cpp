@@ -26,6 +26,8 @@ struct View {
     [[nodiscard]] double nearness(const Vector3& p) const { return above ? p.z() : p.x(); }
 };
 
+using Points = std::vector<std::pair<double, double>>;
+
 struct Shape {
     double nearness;
     std::string svg;
@@ -93,35 +95,63 @@ class Drawing {
   private:
     void add_disc(const Vector3& middle, const body::Quaternion& turn, double radius,
                   const std::string& colour, double opacity) {
-        shapes_.push_back({view_.nearness(middle),
-                           fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"{}\" "
-                                       "stroke=\"#404040\" stroke-width=\"1.2\"/>\n",
-                                       circle(middle, turn, radius), colour, opacity)});
+        shapes_.push_back(
+            {view_.nearness(middle),
+             fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"{}\" "
+                         "stroke=\"#404040\" stroke-width=\"1.2\"/>\n",
+                         text_of(circle_points(middle, turn, radius)), colour, opacity)});
     }
 
-    [[nodiscard]] std::string circle(const Vector3& middle, const body::Quaternion& turn,
-                                     double radius) const {
+    [[nodiscard]] Points circle_points(const Vector3& middle, const body::Quaternion& turn,
+                                       double radius) const {
         constexpr int kCorners = 40;
-        std::string points;
+        Points points;
         for (int i = 0; i < kCorners; ++i) {
             const double a = 2 * std::numbers::pi * i / kCorners;
-            const auto [x, y] =
-                view_.at(middle + turn * Vector3(radius * std::cos(a), radius * std::sin(a), 0));
-            points += fmt::format("{:.1f},{:.1f} ", x, y);
+            points.push_back(
+                view_.at(middle + turn * Vector3(radius * std::cos(a), radius * std::sin(a), 0)));
         }
         return points;
+    }
+    static std::string text_of(const Points& points) {
+        std::string text;
+        for (const auto& [x, y] : points) text += fmt::format("{:.1f},{:.1f} ", x, y);
+        return text;
     }
 
     void add_shell(const Vector3& middle, const body::Quaternion& turn,
                    const score::KitObject& object) {
-        constexpr int kRings = 12;
-        for (int i = kRings; i > 0; --i) {
-            const Vector3 at = middle - turn * Vector3(0, 0, object.depth * i / kRings);
-            shapes_.push_back({view_.nearness(at) - 0.001,
-                               fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"none\"/>\n",
-                                           circle(at, turn, object.radius),
-                                           i == kRings ? "#803028" : "#a84038")});
+        const Vector3 bottom = middle - turn * Vector3(0, 0, object.depth);
+        Points rim = circle_points(middle, turn, object.radius);
+        const Points lower = circle_points(bottom, turn, object.radius);
+        rim.insert(rim.end(), lower.begin(), lower.end());
+        shapes_.push_back({std::min(view_.nearness(middle), view_.nearness(bottom)) - 0.001,
+                           fmt::format("<polygon points=\"{}\" fill=\"#a03c34\" "
+                                       "stroke=\"#602018\"/>\n",
+                                       text_of(hull(std::move(rim))))});
+        add_disc(bottom, turn, object.radius, "#803028", 1.0);
+    }
+
+    /// The convex hull (Andrew's monotone chain).
+    static Points hull(Points points) {
+        std::sort(points.begin(), points.end());
+        Points around;
+        for (const bool back : {false, true}) {
+            const std::size_t start = around.size();
+            for (const auto& p : points) {
+                while (around.size() >= start + 2 && !turns(around, p)) around.pop_back();
+                around.push_back(p);
+            }
+            around.pop_back();
+            if (!back) std::reverse(points.begin(), points.end());
         }
+        return around;
+    }
+    static bool turns(const Points& line, const std::pair<double, double>& p) {
+        const auto& a = line[line.size() - 2];
+        const auto& b = line.back();
+        return (b.first - a.first) * (p.second - a.second) >
+               (b.second - a.second) * (p.first - a.first);
     }
 
     void add_line(const Vector3& from, const Vector3& to, double width, const std::string& colour) {

@@ -6,7 +6,7 @@ namespace percussionist::body {
 
 StrokeCheck check_stroke(const KitAnimation& animation, const score::KitStroke& stroke) {
     constexpr double kStep = 1e-4;     // [s]
-    constexpr double kThere = 0.0005;  // [m]
+    constexpr double kThere = 0.0001;  // [m]
     constexpr int kMostSteps = 300;
     Posture posture(animation.skeleton());
     Placement placement(animation.skeleton());
@@ -32,27 +32,28 @@ void StickWatch::see(double time, const Placement& placement) {
         Vector3& last = last_[static_cast<int>(hand)];
         if (!first_) {
             const double speed = (tip - last).norm() / (time - last_time_);
+            look_below(time, hand, last, tip);
             if (speed > top_speed_) {
                 top_speed_ = speed;
                 fast_at_ = time;
             }
         }
         last = tip;
-        look_below(time, tip);
     }
     last_time_ = time;
     first_ = false;
 }
 
-void StickWatch::look_below(double time, const Vector3& tip) {
-    constexpr double kFarBelow = 0.10;  // beyond this it is another thing's business [m]
-    for (const score::KitObject& object : kit_.objects) {
-        const Vector3 there = object.orientation().conjugate() * (tip - object.middle);
-        if (std::hypot(there.x(), there.y()) > object.radius) continue;
-        const double depth = animation_.skeleton().stick.tip_radius - there.z();
-        if (depth > deepest_ && depth < kFarBelow) {
-            deepest_ = depth;
-            deep_at_ = time;
+void StickWatch::look_below(double time, Hand hand, const Vector3& before, const Vector3& now) {
+    constexpr double kDepth = -0.005;  // [m]
+    for (std::size_t o = 0; o < kit_.objects.size(); ++o) {
+        const score::KitObject& object = kit_.objects[o];
+        const Quaternion to_face = object.orientation().conjugate();
+        const double above = (to_face * (before - object.middle)).z() - kDepth;
+        const Vector3 there = to_face * (now - object.middle);
+        const bool inside = std::hypot(there.x(), there.y()) < object.radius;
+        if (inside && above >= 0.0 && there.z() < kDepth) {
+            through_.push_back({time, hand, o});
         }
     }
 }

@@ -11,6 +11,8 @@ using score::KitStroke;
 using score::Limb;
 
 constexpr double kTravelRise = 0.3;  // of UP, from object to object
+constexpr double kTurn = 0.08;       // from after one stroke to before the next [s]
+constexpr double kTravel = 0.14;     // the same, from object to object [s]
 constexpr double kLongPause = 1.6;   // between two strokes [s]
 constexpr double kToRest = 0.5;      // [s]
 constexpr double kLeast = 0.15;      // share of a gap on either side of a merged key frame
@@ -45,6 +47,9 @@ class Track {
     [[nodiscard]] double bounce(const KitStroke& s) const {
         return s.velocity * kit_.events[s.event].elasticity;
     }
+    [[nodiscard]] bool same_object(const KitStroke& a, const KitStroke& b) const {
+        return kit_.events[a.event].object == kit_.events[b.event].object;
+    }
     [[nodiscard]] LimbPose before(const KitStroke& s) const { return raised(s, s.velocity); }
     [[nodiscard]] LimbPose after(const KitStroke& s) const { return raised(s, bounce(s)); }
 
@@ -60,7 +65,7 @@ class Track {
     void join(const KitStroke& a, const KitStroke& b) {
         const double from = a.time + times_.held;
         const double gap = b.time - from;
-        if (gap < times_.rise + times_.fall) {
+        if (gap < times_.rise + times_.fall + (same_object(a, b) ? kTurn : kTravel)) {
             merge(a, b, from, gap);
             return;
         }
@@ -77,10 +82,8 @@ class Track {
         const double up = bounce(a) / times_.rise;
         const double down = b.velocity / times_.fall;
         const double at = std::clamp(gap * down / (up + down), kLeast * gap, (1 - kLeast) * gap);
-        double height = down * (gap - at);
-        if (kit_.events[a.event].object != kit_.events[b.event].object) {
-            height = std::max(height, kTravelRise);
-        }
+        double height = std::min(down * (gap - at), std::max(bounce(a), b.velocity));
+        if (!same_object(a, b)) height = std::max(height, kTravelRise);
         add(from + at, KeyKind::merged, blend(raised(a, height), raised(b, height), 0.5));
     }
 
