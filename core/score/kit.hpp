@@ -102,7 +102,7 @@ struct PairPreference {
 struct LimbLimits {
     double interval = 0.098;  ///< between two strokes of one hand [s]
     double bounce = 0.0630;   ///< before the second of a bounced pair, on the same object [s]
-    double speed = 9.0;       ///< of a hand from object to object, on average [m/s]
+    double speed = 7.5;       ///< of a hand from object to object, on average [m/s]
     double settling = 0.020;  ///< of the time between two strokes that is no way [s]
     double foot = 0.075;      ///< between two strokes of one foot [s]
 };

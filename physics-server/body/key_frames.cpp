@@ -10,12 +10,18 @@ namespace {
 using score::KitStroke;
 using score::Limb;
 
-constexpr double kTravelRise = 0.3;  // of UP, from object to object
-constexpr double kTurn = 0.08;       // from after one stroke to before the next [s]
-constexpr double kTravel = 0.14;     // the same, from object to object [s]
-constexpr double kLongPause = 1.6;   // between two strokes [s]
-constexpr double kToRest = 0.5;      // [s]
-constexpr double kLeast = 0.15;      // share of a gap on either side of a merged key frame
+constexpr double kTravelRise = 0.4;  // of UP, from object to object
+constexpr double kLeastLift = 0.15;  // of UP, where there is hardly time
+constexpr double kHighest = 1.3;     // of UP, above what is far below
+constexpr double kLiftPart = 0.28;   // of the time there is, for up and for down
+constexpr double kLeastPart = 0.12;  // and at least, when far is to go
+constexpr double kTopSpeed = 16.0;   // across [m/s]
+constexpr double kPeakOverMean = 1.5;
+constexpr double kTimeToClimb = 0.25;  // [s]
+constexpr double kTurn = 0.08;         // from after one stroke to before the next [s]
+constexpr double kLongPause = 1.6;     // between two strokes [s]
+constexpr double kToRest = 0.5;        // [s]
+constexpr double kLeast = 0.15;        // share of a gap on either side of a merged key frame
 
 /// Lays key frames in order of time.
 class Track {
@@ -50,7 +56,10 @@ class Track {
     [[nodiscard]] bool same_object(const KitStroke& a, const KitStroke& b) const {
         return kit_.events[a.event].object == kit_.events[b.event].object;
     }
-    [[nodiscard]] LimbPose before(const KitStroke& s) const { return raised(s, s.velocity); }
+    /// A foot is raised a little for the softest note.
+    [[nodiscard]] LimbPose before(const KitStroke& s) const {
+        return raised(s, score::is_hand(limb_) ? s.velocity : std::max(s.velocity, kLeastLift));
+    }
     [[nodiscard]] LimbPose after(const KitStroke& s) const { return raised(s, bounce(s)); }
 
     void add(double time, KeyKind kind, LimbPose pose) {
@@ -65,16 +74,18 @@ class Track {
     void join(const KitStroke& a, const KitStroke& b) {
         const double from = a.time + times_.held;
         const double gap = b.time - from;
-        if (gap < times_.rise + times_.fall + (same_object(a, b) ? kTurn : kTravel)) {
+        if (same_object(a, b) && gap < times_.rise + times_.fall + kTurn) {
             merge(a, b, from, gap);
-            return;
+        } else if (!same_object(a, b) && gap < kLongPause) {
+            travel(a, b, from, gap);
+        } else {
+            add(from + times_.rise, KeyKind::after, after(a));
+            if (gap > kLongPause) {
+                wait(from + times_.rise + kToRest);
+                wait(b.time - times_.fall - kToRest);
+            }
+            add(b.time - times_.fall, KeyKind::before, before(b));
         }
-        add(from + times_.rise, KeyKind::after, after(a));
-        if (gap > kLongPause) {
-            wait(from + times_.rise + kToRest);
-            wait(b.time - times_.fall - kToRest);
-        }
-        add(b.time - times_.fall, KeyKind::before, before(b));
     }
 
     /// Where the line that rises from a crosses the one that falls to b.
@@ -82,9 +93,26 @@ class Track {
         const double up = bounce(a) / times_.rise;
         const double down = b.velocity / times_.fall;
         const double at = std::clamp(gap * down / (up + down), kLeast * gap, (1 - kLeast) * gap);
-        double height = std::min(down * (gap - at), std::max(bounce(a), b.velocity));
-        if (!same_object(a, b)) height = std::max(height, kTravelRise);
+        const double height = std::min(down * (gap - at), std::max(bounce(a), b.velocity));
         add(from + at, KeyKind::merged, blend(raised(a, height), raised(b, height), 0.5));
+    }
+
+    /// Off the one object, across at the height of the higher, and down to the other; the less
+    /// time, the lower and the sooner.
+    void travel(const KitStroke& a, const KitStroke& b, double from, double gap) {
+        const Vector3 way = spot_of(kit_, b.event, limb_) - spot_of(kit_, a.event, limb_);
+        const double across = kPeakOverMean * way.norm() / (kTopSpeed * gap);
+        const double part = std::clamp(0.5 * (1.0 - across), kLeastPart, kLiftPart);
+        const double up = std::min(times_.rise, part * gap);
+        const double down = std::min(times_.fall, part * gap);
+        const double climb = way.z() / kit_.drummer.rise * std::min(1.0, gap / kTimeToClimb);
+        const double lift = std::max(bounce(a), kTravelRise) * up / times_.rise;
+        const double drop = std::max(b.velocity, kTravelRise) * down / times_.fall;
+        add(from + up, KeyKind::after, raised(a, height(lift, climb)));
+        add(b.time - down, KeyKind::before, raised(b, height(drop, -climb)));
+    }
+    static double height(double lift, double climb) {
+        return std::min(std::max(lift, kLeastLift) + std::max(climb, 0.0), kHighest);
     }
 
     const KitPoses& poses_;
@@ -157,7 +185,8 @@ class HatTrack {
     void press(const KitStroke& s) {
         if (up_ > 0.0 && s.time - last_ > kStaysOpen + times_.fall) close(s.time);
         const double gap = s.time - last_;
-        const double up = std::max(up_, std::min(s.velocity, 0.5 * gap / times_.fall));
+        const double up =
+            std::max({up_, kLeastLift, std::min(s.velocity, 0.5 * gap / times_.fall)});
         if (gap > 2.0 * times_.fall) {
             add(s.time - 2.0 * times_.fall, KeyKind::rest, up_);
             add(s.time - times_.fall, KeyKind::before, up);
@@ -188,7 +217,7 @@ std::size_t phase_between(KeyKind from, KeyKind to) {
 double usual(std::size_t phase, double u) {
     if (phase == static_cast<std::size_t>(score::Phase::down)) return u * u;
     if (phase == static_cast<std::size_t>(score::Phase::up)) return u * (2.0 - u);
-    return u * u * u * (10.0 + u * (6.0 * u - 15.0));
+    return u * u * (3.0 - 2.0 * u);
 }
 
 }  // namespace

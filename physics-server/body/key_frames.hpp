@@ -5,9 +5,11 @@
 //     before  = DOWN + velocity diff                 `fall` before the contact
 //     contact = DOWN                                 at the note's time, and held for 5 ms
 //     after   = DOWN + velocity elasticity diff      `rise` after that
-// Where two strokes overlap, or leave no time to turn, after and before become one: where the
-// straight lines of both cross, half of the way between both poses. From object to object it is at
-// least 0.3 of UP, clear of what lies between. Before and after long pauses the limb waits.
+// Where two strokes on one object overlap, or leave no time to turn, after and before become one:
+// where the straight lines of both cross, half of the way between both poses. From object to object
+// both stay, lower and sooner the less time there is, and at the height of the higher of the two: a
+// stick leaves the one upwards and comes to the other from above. Before and after long pauses the
+// limb waits.
 //
 // Between key frames each joint follows its script (Script of core/score/kit.hpp): the share of
 // the way, through whose points runs a cubic; without one it starts slowly before a contact, ends
