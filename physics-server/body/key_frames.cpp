@@ -10,12 +10,14 @@ namespace {
 using score::KitStroke;
 using score::Limb;
 
-constexpr double kTravelRise = 0.4;  // of UP, from object to object
-constexpr double kLeastLift = 0.15;  // of UP, where there is hardly time
-constexpr double kHighest = 1.3;     // of UP, above what is far below
-constexpr double kLiftPart = 0.28;   // of the time there is, for up and for down
-constexpr double kLeastPart = 0.12;  // and at least, when far is to go
-constexpr double kTopSpeed = 16.0;   // across [m/s]
+constexpr double kTravelRise = 0.4;   // of UP, from object to object
+constexpr double kLeastLift = 0.15;   // of UP, where there is hardly time
+constexpr double kSoftest = 0.06;     // of UP, before the softest note of a hand
+constexpr double kSoftestFoot = 0.2;  // and of a foot
+constexpr double kHighest = 1.3;      // of UP, above what is far below
+constexpr double kLiftPart = 0.28;    // of the time there is, for up and for down
+constexpr double kLeastPart = 0.12;   // and at least, when far is to go
+constexpr double kTopSpeed = 16.0;    // across [m/s]
 constexpr double kPeakOverMean = 1.5;
 constexpr double kTimeToClimb = 0.25;  // [s]
 constexpr double kTurn = 0.08;         // from after one stroke to before the next [s]
@@ -56,9 +58,8 @@ class Track {
     [[nodiscard]] bool same_object(const KitStroke& a, const KitStroke& b) const {
         return kit_.events[a.event].object == kit_.events[b.event].object;
     }
-    /// A foot is raised a little for the softest note.
     [[nodiscard]] LimbPose before(const KitStroke& s) const {
-        return raised(s, score::is_hand(limb_) ? s.velocity : std::max(s.velocity, kLeastLift));
+        return raised(s, std::max(s.velocity, score::is_hand(limb_) ? kSoftest : kSoftestFoot));
     }
     [[nodiscard]] LimbPose after(const KitStroke& s) const { return raised(s, bounce(s)); }
 
@@ -186,7 +187,7 @@ class HatTrack {
         if (up_ > 0.0 && s.time - last_ > kStaysOpen + times_.fall) close(s.time);
         const double gap = s.time - last_;
         const double up =
-            std::max({up_, kLeastLift, std::min(s.velocity, 0.5 * gap / times_.fall)});
+            std::max({up_, kSoftestFoot, std::min(s.velocity, 0.5 * gap / times_.fall)});
         if (gap > 2.0 * times_.fall) {
             add(s.time - 2.0 * times_.fall, KeyKind::rest, up_);
             add(s.time - times_.fall, KeyKind::before, up);
