@@ -23,8 +23,8 @@ namespace percussionist::app {
 
 namespace {
 
-constexpr double kLead = 1.0;     // before the first stroke, where the piece has less [s]
-constexpr double kRingOut = 3.0;  // after the last [s]
+constexpr double kLongest = 4 * 3600.0;  // [s]
+constexpr double kRingOut = 3.0;         // after the last stroke [s]
 
 struct AnimateOptions {
     std::filesystem::path score;
@@ -64,7 +64,12 @@ class Animator {
         plan_ = score::plan_kit(score_, kit_);
         animation_ = std::make_unique<body::KitAnimation>(kit_, plan_.strokes);
         const double last = plan_.strokes.empty() ? 0.0 : plan_.strokes.back().time;
-        duration_ = std::max(score_.duration, last + kRingOut);
+        duration_ = last + kRingOut;
+        if (duration_ > kLongest) {
+            throw std::runtime_error(
+                fmt::format("{}: its last stroke is at {:.0f} s: expected at most 4 hours",
+                            options.score.string(), last));
+        }
     }
 
     void write() {

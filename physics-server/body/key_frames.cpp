@@ -13,7 +13,7 @@ using score::Limb;
 constexpr double kTravelRise = 0.4;   // of UP, from object to object
 constexpr double kLeastLift = 0.15;   // of UP, where there is hardly time
 constexpr double kSoftest = 0.06;     // of UP, before the softest note of a hand
-constexpr double kSoftestFoot = 0.2;  // and of a foot
+constexpr double kSoftestFoot = 0.25;  // and of a foot
 constexpr double kHighest = 1.3;      // of UP, above what is far below
 constexpr double kLiftPart = 0.28;    // of the time there is, for up and for down
 constexpr double kLeastPart = 0.12;   // and at least, when far is to go
@@ -22,6 +22,7 @@ constexpr double kPeakOverMean = 1.5;
 constexpr double kTimeToClimb = 0.25;  // [s]
 constexpr double kTurn = 0.08;         // from after one stroke to before the next [s]
 constexpr double kLongPause = 1.6;     // between two strokes [s]
+constexpr double kHalfWay = 0.55;      // of the way to rest, in time
 constexpr double kToRest = 0.5;        // [s]
 constexpr double kLeast = 0.15;        // share of a gap on either side of a merged key frame
 
@@ -33,15 +34,15 @@ class Track {
 
     std::vector<KeyFrame> lay(std::span<const KitStroke> strokes) {
         if (strokes.empty()) return {{0.0, KeyKind::rest, poses_.rest(limb_)}};
-        wait(strokes.front().time - times_.fall - kToRest);
+        arise(strokes.front().time - times_.fall);
         add(strokes.front().time - times_.fall, KeyKind::before, before(strokes.front()));
         for (std::size_t i = 0; i < strokes.size(); ++i) {
             contact(strokes[i]);
             if (i + 1 < strokes.size()) join(strokes[i], strokes[i + 1]);
         }
         const double end = strokes.back().time + times_.held + times_.rise;
-        add(end, KeyKind::after, after(strokes.back()));
-        wait(end + kToRest);
+        add(end, KeyKind::after, leaving(strokes.back()));
+        sink(end);
         return std::move(keys_);
     }
 
@@ -67,6 +68,20 @@ class Track {
         keys_.push_back({time, kind, std::move(pose)});
     }
     void wait(double time) { add(time, KeyKind::rest, poses_.rest(limb_)); }
+    /// To where the limb waits, from above.
+    void sink(double from) {
+        add(from + kHalfWay * kToRest, KeyKind::rest, poses_.above_rest(limb_));
+        wait(from + kToRest);
+    }
+    /// The other way.
+    void arise(double until) {
+        wait(until - kToRest);
+        add(until - kHalfWay * kToRest, KeyKind::rest, poses_.above_rest(limb_));
+    }
+    /// What a pause follows is left by some height.
+    [[nodiscard]] LimbPose leaving(const KitStroke& s) const {
+        return raised(s, std::max(bounce(s), kLeastLift));
+    }
     void contact(const KitStroke& s) {
         add(s.time, KeyKind::contact, of(s).down);
         add(s.time + times_.held, KeyKind::release, of(s).down);
@@ -79,12 +94,13 @@ class Track {
             merge(a, b, from, gap);
         } else if (!same_object(a, b) && gap < kLongPause) {
             travel(a, b, from, gap);
-        } else {
+        } else if (gap < kLongPause) {
             add(from + times_.rise, KeyKind::after, after(a));
-            if (gap > kLongPause) {
-                wait(from + times_.rise + kToRest);
-                wait(b.time - times_.fall - kToRest);
-            }
+            add(b.time - times_.fall, KeyKind::before, before(b));
+        } else {
+            add(from + times_.rise, KeyKind::after, leaving(a));
+            sink(from + times_.rise);
+            arise(b.time - times_.fall);
             add(b.time - times_.fall, KeyKind::before, before(b));
         }
     }

@@ -5,7 +5,7 @@
 //     before  = DOWN + velocity diff                 `fall` before the contact
 //     contact = DOWN                                 at the note's time, and held for 5 ms
 //     after   = DOWN + velocity elasticity diff      `rise` after that
-// The softest notes are raised as those of velocity 0.06, with a foot 0.2: less could not be seen.
+// The softest notes are raised as those of velocity 0.06, with a foot 0.25: less could not be seen.
 // Where two strokes on one object overlap, or leave no time to turn, after and before become one:
 // where the straight lines of both cross, half of the way between both poses. From object to object
 // both stay, lower and sooner the less time there is, and at the height of the higher of the two: a

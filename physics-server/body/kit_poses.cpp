@@ -15,7 +15,8 @@ using score::Limb;
 constexpr double kGripAbove = 0.045;  // the spot, when the tip strikes it [m]
 constexpr double kGripShare = 0.45;   // of the tip's rise
 constexpr double kTipBack = 0.25;     // towards the drummer, of the rise
-constexpr double kWaitsAbove = 0.10;  // the thing that is struck most, of a hand that waits [m]
+constexpr double kWaitsAbove = 0.10;  // what hands play first of all, of one that waits [m]
+constexpr double kWaitsBelow = 0.28;  // where a hand comes from and goes [m]
 constexpr int kRounds = 60;
 constexpr double kNearEnough = 1e-6;  // [m]
 constexpr std::array<Limb, 4> kLimbs{Limb::left_hand, Limb::right_hand, Limb::left_foot,
@@ -34,6 +35,14 @@ Hand hand_of(Limb limb) {
 
 std::string without_side(const std::string& joint) {
     return joint.substr(joint.find('_') + 1);
+}
+
+/// The middle of what hands play first of all.
+Vector3 home(const score::Kit& kit) {
+    const auto first = std::find_if(kit.events.begin(), kit.events.end(),
+                                    [](const score::KitEvent& e) { return !e.foot; });
+    return first == kit.events.end() ? kit.objects.front().middle
+                                     : kit.objects[first->object].middle;
 }
 
 /// Both tips where they are, as targets; one of them is then moved.
@@ -93,11 +102,16 @@ void KitPoses::add_hand(InverseKinematics& kinematics, Limb limb) {
     const ArmTargets here = targets_here(skeleton_, kinematics, seat_);
     ArmTargets targets = here;
     Posture waiting = seat_;
-    const Vector3 lap = kit_.objects.front().middle;
+    const Vector3 lap = home(kit_);
     targets[h].tip = lap + Vector3(-0.04, 0.07 * out, kWaitsAbove);
     targets[h].grip_height = targets[h].tip.z() + kGripAbove;
     reach(kinematics, targets, waiting);
     rest_[index(limb)] = taken(limb, waiting);
+    Posture above = waiting;
+    targets[h].tip.z() += kWaitsBelow;
+    targets[h].grip_height += kGripShare * kWaitsBelow;
+    reach(kinematics, targets, above);
+    above_rest_[index(limb)] = taken(limb, above);
     for (std::size_t e = 0; e < kit_.events.size(); ++e) {
         if (kit_.events[e].foot) continue;
         StrikePoses poses;
@@ -117,7 +131,7 @@ void KitPoses::add_hand(InverseKinematics& kinematics, Limb limb) {
 }
 
 void KitPoses::add_foot(Limb foot) {
-    rest_[index(foot)] = taken(foot, seat_);
+    rest_[index(foot)] = above_rest_[index(foot)] = taken(foot, seat_);
     for (std::size_t e = 0; e < kit_.events.size(); ++e) {
         if (kit_.events[e].foot != foot) continue;
         StrikePoses poses;

@@ -48,6 +48,10 @@ class KitPoses {
     }
     /// Waiting.
     [[nodiscard]] const LimbPose& rest(score::Limb limb) const { return rest_[index(limb)]; }
+    /// From where it sinks to that, and rises: a hand above all that is near.
+    [[nodiscard]] const LimbPose& above_rest(score::Limb limb) const {
+        return above_rest_[index(limb)];
+    }
     /// Trunk, head and all: the others' joints are those of the poses.
     [[nodiscard]] const Posture& seat() const { return seat_; }
 
@@ -62,7 +66,7 @@ class KitPoses {
     const score::Kit& kit_;
     Posture seat_;
     ByLimb<LimbParts> parts_;
-    ByLimb<LimbPose> rest_;
+    ByLimb<LimbPose> rest_, above_rest_;
     ByLimb<std::vector<std::optional<StrikePoses>>> strikes_;
 };
 

@@ -28,7 +28,7 @@ inline score::Kit small_kit() {
         score::KitObject object;
         object.name = name;
         object.middle = middle;
-        object.radius = 0.18;
+        object.radius = 0.15;
         object.sound = "snare";
         kit.objects.push_back(object);
         score::KitEvent event;
