@@ -210,12 +210,15 @@ class KitReader {
         if (!found) throw l.error("no event " + in_quotes(name) + " in a line above");
         return *found;
     }
-    /// The event of that name; else all those on the object of that name.
+    /// All those on the object of that name; else the event.
     std::vector<std::size_t> events(KitLine& l) const {
-        const auto name = l.word("an event or an object");
-        if (const auto event = kit_.event_named(name)) return {*event};
+        const auto name = l.word("an object or an event");
         const auto object = kit_.object_named(name);
-        if (!object) throw l.error("no event or object " + in_quotes(name) + " in a line above");
+        if (!object) {
+            const auto event = kit_.event_named(name);
+            if (!event) throw l.error("no object or event " + in_quotes(name) + " in a line above");
+            return {*event};
+        }
         std::vector<std::size_t> all;
         for (std::size_t e = 0; e < kit_.events.size(); ++e) {
             if (kit_.events[e].object == *object && !kit_.events[e].foot) all.push_back(e);

@@ -12,8 +12,8 @@
 //     pose right-hand ride down elbow 10 -20 5
 //
 // A line is a word, its names, then fields in any order: a word and its numbers. Metres, kilograms,
-// seconds; angles in degrees. In a pair the name of an object stands for all of its events. See
-// core/score/kit.hpp for what the fields mean, kits/standard.kit for a whole kit.
+// seconds; angles in degrees. In a pair the name of an object stands for all that hands play on it.
+// See core/score/kit.hpp for what the fields mean, kits/standard.kit for a whole kit.
 //
 // Text in, values out; both allocate, neither touches a file but for read_kit_file().
 #pragma once

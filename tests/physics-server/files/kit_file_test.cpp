@@ -63,6 +63,19 @@ TEST_CASE("kit file: what is written is what is meant") {
     CHECK(pose_lines(kit, kit.poses) == "pose right-hand hit up elbow 10.00 -20.00 5.00\n");
 }
 
+TEST_CASE("kit file: in a pair an object stands for all that hands play on it") {
+    const score::Kit kit = standard_kit();
+    for (const char* hat : {"closed-hat", "open-hat"}) {
+        for (const char* snare : {"snare", "side-stick"}) {
+            const auto& pair = kit.pair(*kit.event_named(hat), *kit.event_named(snare));
+            REQUIRE(pair);
+            CHECK(pair->hand == score::Limb::right_hand);
+            CHECK(pair->may_cross);
+        }
+    }
+    CHECK_FALSE(kit.pair(*kit.event_named("pedal-hat"), *kit.event_named("snare")));
+}
+
 TEST_CASE("kit file: spots lie on the face, the left hand's to the left") {
     const score::Kit kit = parse_kit(kSmall, "my.kit");
     const auto left = spot_of(kit, 0, score::Limb::left_hand);
