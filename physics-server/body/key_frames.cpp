@@ -10,14 +10,14 @@ namespace {
 using score::KitStroke;
 using score::Limb;
 
-constexpr double kTravelRise = 0.4;   // of UP, from object to object
-constexpr double kLeastLift = 0.15;   // of UP, where there is hardly time
-constexpr double kSoftest = 0.06;     // of UP, before the softest note of a hand
+constexpr double kTravelRise = 0.4;    // of UP, from object to object
+constexpr double kLeastLift = 0.15;    // of UP, where there is hardly time
+constexpr double kSoftest = 0.06;      // of UP, before the softest note of a hand
 constexpr double kSoftestFoot = 0.25;  // and of a foot
-constexpr double kHighest = 1.3;      // of UP, above what is far below
-constexpr double kLiftPart = 0.28;    // of the time there is, for up and for down
-constexpr double kLeastPart = 0.12;   // and at least, when far is to go
-constexpr double kTopSpeed = 16.0;    // across [m/s]
+constexpr double kHighest = 1.3;       // of UP, above what is far below
+constexpr double kLiftPart = 0.28;     // of the time there is, for up and for down
+constexpr double kLeastPart = 0.12;    // and at least, when far is to go
+constexpr double kTopSpeed = 16.0;     // across [m/s]
 constexpr double kPeakOverMean = 1.5;
 constexpr double kTimeToClimb = 0.25;  // [s]
 constexpr double kTurn = 0.08;         // from after one stroke to before the next [s]
@@ -59,9 +59,10 @@ class Track {
     [[nodiscard]] bool same_object(const KitStroke& a, const KitStroke& b) const {
         return kit_.events[a.event].object == kit_.events[b.event].object;
     }
-    [[nodiscard]] LimbPose before(const KitStroke& s) const {
-        return raised(s, std::max(s.velocity, score::is_hand(limb_) ? kSoftest : kSoftestFoot));
+    [[nodiscard]] double raise(const KitStroke& s) const {
+        return std::max(s.velocity, score::is_hand(limb_) ? kSoftest : kSoftestFoot);
     }
+    [[nodiscard]] LimbPose before(const KitStroke& s) const { return raised(s, raise(s)); }
     [[nodiscard]] LimbPose after(const KitStroke& s) const { return raised(s, bounce(s)); }
 
     void add(double time, KeyKind kind, LimbPose pose) {
@@ -108,9 +109,9 @@ class Track {
     /// Where the line that rises from a crosses the one that falls to b.
     void merge(const KitStroke& a, const KitStroke& b, double from, double gap) {
         const double up = bounce(a) / times_.rise;
-        const double down = b.velocity / times_.fall;
+        const double down = raise(b) / times_.fall;
         const double at = std::clamp(gap * down / (up + down), kLeast * gap, (1 - kLeast) * gap);
-        const double height = std::min(down * (gap - at), std::max(bounce(a), b.velocity));
+        const double height = std::min(down * (gap - at), std::max(bounce(a), raise(b)));
         add(from + at, KeyKind::merged, blend(raised(a, height), raised(b, height), 0.5));
     }
 
@@ -124,7 +125,7 @@ class Track {
         const double down = std::min(times_.fall, part * gap);
         const double climb = way.z() / kit_.drummer.rise * std::min(1.0, gap / kTimeToClimb);
         const double lift = std::max(bounce(a), kTravelRise) * up / times_.rise;
-        const double drop = std::max(b.velocity, kTravelRise) * down / times_.fall;
+        const double drop = std::max(raise(b), kTravelRise) * down / times_.fall;
         add(from + up, KeyKind::after, raised(a, height(lift, climb)));
         add(b.time - down, KeyKind::before, raised(b, height(drop, -climb)));
     }
