@@ -15,6 +15,7 @@ namespace percussionist::score {
 namespace {
 
 constexpr double kDoubleWithin = 0.001;  // [s]
+constexpr double kSoon = 0.2;            // [s]
 constexpr std::size_t kMostNotes = 1'000'000;
 
 std::string milliseconds(double seconds) {
@@ -33,6 +34,12 @@ void check_notes(const Score& score) {
                 "kit plan: a note needs a finite time and a velocity above 0 and up to 1");
         }
     }
+}
+
+std::string spoken(Limb limb) {
+    std::string words(name(limb));
+    std::replace(words.begin(), words.end(), '-', ' ');
+    return words;
 }
 
 /// A note that some limb is to play.
@@ -121,8 +128,7 @@ class Planner {
                                          note(asked[i]).velocity, asked[i].note, false,
                                          Reason::foot});
             } else {
-                leave_out(asked[i].note, "the " + std::string(name(foot)) +
-                                             " strikes at most every " +
+                leave_out(asked[i].note, "the " + spoken(foot) + " strikes at most every " +
                                              milliseconds(kit_.limits.foot));
             }
         }
@@ -169,7 +175,7 @@ class Planner {
                 if (p.hit != nullptr && hit.time - p.hit->time > HandEffort::kMemory) p = {};
             }
             if (played[i] == Played::not_at_all) {
-                leave_out(notes_[i], "faster than hands can: " + in_the_way(hit, past));
+                leave_out(notes_[i], "faster than hands can: " + in_the_way(i, played, past));
                 continue;
             }
             const Limb hand = played[i] == Played::left ? Limb::left_hand : Limb::right_hand;
@@ -200,17 +206,35 @@ class Planner {
             ->second;
     }
 
-    [[nodiscard]] std::string in_the_way(const HandHit& hit,
+    /// "the left hand struck ride 120 ms before and strikes snare 40 ms after": what keeps both.
+    [[nodiscard]] std::string in_the_way(std::size_t i, const std::vector<Played>& played,
                                          const std::array<HandPast, 2>& past) const {
         std::string text;
         for (const Limb hand : {Limb::left_hand, Limb::right_hand}) {
-            const HandPast& p = past[index(hand)];
-            text += (text.empty() ? "the " : ", the ") + std::string(name(hand));
-            text += p.hit == nullptr ? " is needed for what follows"
-                                     : " struck " + kit_.events[p.hit->event].name + " " +
-                                           milliseconds(hit.time - p.hit->time) + " before";
+            const HandHit* const before = past[index(hand)].hit;
+            const HandHit* const after = next_of(i, hand, played);
+            text += (text.empty() ? "the " : ", the ") + spoken(hand);
+            if (before != nullptr) text += " struck " + seen_from(hits_[i], *before) + " before";
+            if (before != nullptr && after != nullptr) text += " and";
+            if (after != nullptr) text += " strikes " + seen_from(hits_[i], *after) + " after";
+            if (before == nullptr && after == nullptr) text += " is free";
         }
         return text;
+    }
+
+    [[nodiscard]] std::string seen_from(const HandHit& here, const HandHit& there) const {
+        return kit_.events[there.event].name + " " + milliseconds(std::abs(there.time - here.time));
+    }
+
+    /// The hand's next hit, if it comes soon.
+    [[nodiscard]] const HandHit* next_of(std::size_t i, Limb hand,
+                                         const std::vector<Played>& played) const {
+        const Played way = hand == Limb::left_hand ? Played::left : Played::right;
+        for (std::size_t k = i + 1; k < hits_.size(); ++k) {
+            if (hits_[k].time - hits_[i].time > kSoon) return nullptr;
+            if (played[k] == way) return &hits_[k];
+        }
+        return nullptr;
     }
 
     void put_in_order() {
