@@ -17,7 +17,7 @@ constexpr double kSoftestFoot = 0.25;  // and of a foot
 constexpr double kHighest = 1.3;       // of UP, above what is far below
 constexpr double kLiftPart = 0.28;     // of the time there is, for up and for down
 constexpr double kLeastPart = 0.12;    // and at least, when far is to go
-constexpr double kTopSpeed = 16.0;     // across [m/s]
+constexpr double kTopSpeed = 15.0;     // across [m/s]
 constexpr double kPeakOverMean = 1.5;
 constexpr double kTimeToClimb = 0.25;  // [s]
 constexpr double kTurn = 0.08;         // from after one stroke to before the next [s]
@@ -200,8 +200,18 @@ class HatTrack {
         up_ = 0.0;
     }
 
+    /// Of a stroke at a time: waiting gives way to it.
+    void make_room(double time) {
+        while (!keys_.empty() && keys_.back().kind == KeyKind::rest &&
+               keys_.back().time > time - kReady) {
+            keys_.pop_back();
+            last_ = keys_.empty() ? -1e9 : keys_.back().time;
+        }
+    }
+
     void press(const KitStroke& s) {
         if (up_ > 0.0 && s.time - last_ > kStaysOpen + times_.fall) close(s.time);
+        make_room(s.time);
         const double gap = s.time - last_;
         const double up =
             std::max({up_, kSoftestFoot, std::min(s.velocity, 0.5 * gap / times_.fall)});
