@@ -26,6 +26,8 @@ InverseKinematicsOptions options() {
     InverseKinematicsOptions o;
     o.iterations = 12;
     o.damping = 0.001;
+    o.rest_pull = 0.002;
+    o.arms = 1.0;  // poses stand still: no part of the arm is too slow for them
     return o;
 }
 
