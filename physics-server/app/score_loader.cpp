@@ -41,6 +41,12 @@ bool is_musicxml(const std::filesystem::path& path) {
     return kind == ".musicxml" || kind == ".xml" || kind == ".mxl";
 }
 
+ScoreSource source_of(const std::filesystem::path& path) {
+    if (path.empty()) return {};
+    std::ifstream in(path, std::ios::binary);
+    return {path.filename().string(), {std::istreambuf_iterator<char>(in), {}}};
+}
+
 }  // namespace
 
 score::Score read_score(const std::filesystem::path& path, std::vector<std::string>& warnings) {
@@ -51,14 +57,6 @@ score::Score read_score(const std::filesystem::path& path, std::vector<std::stri
     warnings = file.warnings;
     return files::midi_to_score(file);
 }
-
-ScoreSource source_of(const std::filesystem::path& path) {
-    if (path.empty()) return {};
-    std::ifstream in(path, std::ios::binary);
-    return {path.filename().string(), {std::istreambuf_iterator<char>(in), {}}};
-}
-
-}  // namespace
 
 LoadedScore load_score(const std::filesystem::path& path) {
     LoadedScore loaded;
