@@ -21,6 +21,8 @@ void add_replay_command(CLI::App& program);
 void add_film_command(CLI::App& program);
 /// figure: the shapes that the viewer shows.
 void add_figure_command(CLI::App& program);
+/// animate: a drummer on a whole kit, key-framed, into files.
+void add_animate_command(CLI::App& program);
 /// check: how well a recording agrees with the contacts of its performance.
 void add_check_command(CLI::App& program);
 /// samples: the drum's strokes as files, for the patches' sample voice.

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
         add_replay_command(program);
         add_film_command(program);
         add_figure_command(program);
+        add_animate_command(program);
         add_check_command(program);
         add_samples_command(program);
         add_fastrak_sim_command(program);

@@ -41,6 +41,14 @@ bool is_musicxml(const std::filesystem::path& path) {
     return kind == ".musicxml" || kind == ".xml" || kind == ".mxl";
 }
 
+ScoreSource source_of(const std::filesystem::path& path) {
+    if (path.empty()) return {};
+    std::ifstream in(path, std::ios::binary);
+    return {path.filename().string(), {std::istreambuf_iterator<char>(in), {}}};
+}
+
+}  // namespace
+
 score::Score read_score(const std::filesystem::path& path, std::vector<std::string>& warnings) {
     if (path.empty()) return score::built_in_score();
     if (is_recording(path)) return listen_to(path);
@@ -49,14 +57,6 @@ score::Score read_score(const std::filesystem::path& path, std::vector<std::stri
     warnings = file.warnings;
     return files::midi_to_score(file);
 }
-
-ScoreSource source_of(const std::filesystem::path& path) {
-    if (path.empty()) return {};
-    std::ifstream in(path, std::ios::binary);
-    return {path.filename().string(), {std::istreambuf_iterator<char>(in), {}}};
-}
-
-}  // namespace
 
 LoadedScore load_score(const std::filesystem::path& path) {
     LoadedScore loaded;

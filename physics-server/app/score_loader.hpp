@@ -23,6 +23,9 @@ struct LoadedScore {
     ScoreSource source;
 };
 
+/// The notes alone; warnings of the reader are added to `warnings`. As load_score().
+score::Score read_score(const std::filesystem::path& path, std::vector<std::string>& warnings);
+
 /// A Standard MIDI File, MusicXML, or a recording, whose drums are played; the built-in score if
 /// `path` is empty. Throws files::MidiError files::MusicXmlError or files::AudioError.
 LoadedScore load_score(const std::filesystem::path& path);
