@@ -31,7 +31,7 @@ class SequenceFilter {
   private:
     static constexpr std::int64_t kWindow = 1024;  ///< numbers back that are remembered
     static constexpr std::int64_t kLargest = std::int64_t{1} << 60;
-    static constexpr double kMargin = 0.1;         ///< tags of one run are in order up to this [s]
+    static constexpr double kMargin = 0.1;  ///< tags of one run are in order up to this [s]
 
     struct Event {
         std::int64_t number = -1;

@@ -89,7 +89,7 @@ void add_replay_command(CLI::App& program) {
     add_file_flags(command, options->files);
     auto* serve =
         command.add_option("--gestures", options->server.gestures,
-                       "file of gestures of your own, if the recorded server had one");
+                           "file of gestures of your own, if the recorded server had one");
     command.add_flag("--serve", options->serve, "in real time, over OSC as serve does");
     command
         .add_option("--listen", options->server.endpoint.listen,

@@ -221,6 +221,21 @@ bool StrokePath::aim(double now, const Aim& wish) {
     return true;
 }
 
+bool StrokePath::can_be_followed(double now) const {
+    constexpr double kHighest = 0.75;
+    constexpr double kTouch = 1e-6;
+    constexpr double kStrongest = 300.0;
+    constexpr int kParts = 48;
+    for (int i = 0; i <= kParts; ++i) {
+        const double t = now + (next_.impact - now) * i / kParts;
+        if (in_head(t)) continue;
+        const PathState tip = tip_.at(t);
+        if (tip.position < -kTouch || tip.position > kHighest) return false;
+        if (std::abs(tip.acceleration) > kStrongest) return false;
+    }
+    return true;
+}
+
 StrokePath::Raise StrokePath::raise_for(const Aim& aim, const Pen& pen) {
     const double time = aim.time - pen.time;
     if (!aim.shape) {

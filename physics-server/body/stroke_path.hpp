@@ -72,6 +72,9 @@ class StrokePath {
     /// the tip is in the head the new path begins where it leaves it. False, and nothing changes,
     /// if the time left is shorter than kShortestAim.
     bool aim(double now, const Aim& aim);
+    /// Whether what lies between `now` and the impact stays above the head, below 0.75 m, and
+    /// slower to turn than 300 m/s^2: a stroke that is moved too late or too far does not.
+    [[nodiscard]] bool can_be_followed(double now) const;
     /// From `now` on, no further stroke: rebound or sink to the waiting height and stay there.
     void rest(double now);
 

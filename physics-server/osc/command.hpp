@@ -119,10 +119,10 @@ struct Record {
     Peer asker;
 };
 
-using Command = std::variant<Play, Stop, Tempo, Rubato, SetGrip, SetNuance, SetHeight, SetPlace,
-                             SetLeading, SetHeadHeight, SetMembrane, SetMallet, SetTracking,
-                             SetInverse, SetLaw, SetGain, LoadScore, Subscribe, Unsubscribe, Ping,
-                             Describe, AddRoute, ChangeRoute, RemoveRoute, ListRoutes, SaveRoutes,
-                             Record>;
+using Command =
+    std::variant<Play, Stop, Tempo, Rubato, SetGrip, SetNuance, SetHeight, SetPlace, SetLeading,
+                 SetHeadHeight, SetMembrane, SetMallet, SetTracking, SetInverse, SetLaw, SetGain,
+                 LoadScore, Subscribe, Unsubscribe, Ping, Describe, AddRoute, ChangeRoute,
+                 RemoveRoute, ListRoutes, SaveRoutes, Record>;
 
 }  // namespace percussionist::osc

@@ -182,15 +182,24 @@ Vector3 Simulation::tip_target(Hand hand) const {
 }
 
 bool Simulation::strike(Hand hand, double time, double speed, double height) {
-    return own_path(hand).aim(frontier(), {time, speed, height, forecast_->rebound(speed), {}});
+    return aim(hand, {time, speed, height, forecast_->rebound(speed), {}});
 }
 
 bool Simulation::strike(Hand hand, double time, const body::StrokeShape& shape) {
-    body::Aim aim;
-    aim.time = time;
-    aim.rebound = forecast_->rebound(shape.impact);
-    aim.shape = shape;
-    return own_path(hand).aim(frontier(), aim);
+    body::Aim aimed;
+    aimed.time = time;
+    aimed.rebound = forecast_->rebound(shape.impact);
+    aimed.shape = shape;
+    return aim(hand, aimed);
+}
+
+bool Simulation::aim(Hand hand, const body::Aim& aimed) {
+    const double now = frontier();
+    body::StrokePath bent = path(hand);
+    if (!bent.aim(now, aimed)) return false;
+    if (path(hand).aiming(now) && !bent.can_be_followed(now)) return false;
+    own_path(hand) = bent;
+    return true;
 }
 
 body::ArmTarget Simulation::arm_target(Hand hand, double t) const {

@@ -56,7 +56,8 @@ class Simulation {
     /// The earliest time for which something can still be asked: targets up to now are made.
     [[nodiscard]] double frontier() const { return time() + h_; }
 
-    /// Asks for a stroke; see body::StrokePath::aim. The rebound is forecast here.
+    /// Asks for a stroke; see body::StrokePath::aim. The rebound is forecast here. False, and the
+    /// stroke under way stays as it is, if it cannot be bent so.
     bool strike(body::Hand hand, double time, double speed, double height);
     /// The same, in the shape of a gesture.
     bool strike(body::Hand hand, double time, const body::StrokeShape& shape);
@@ -134,6 +135,7 @@ class Simulation {
 
   private:
     body::StrokePath& own_path(body::Hand hand) { return paths_[static_cast<int>(hand)]; }
+    bool aim(body::Hand hand, const body::Aim& aimed);
     [[nodiscard]] body::ArmTarget arm_target(body::Hand hand, double t) const;
     [[nodiscard]] body::ArmTargets arm_targets(double t);
     void fill_target(double t);

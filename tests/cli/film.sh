@@ -8,7 +8,7 @@ trap 'rm -rf "$work"' EXIT
 . "$root/tests/cli/song.sh"
 write_song "$work/song.mid"
 for take in one two; do
-    "$percussionist" film "$work/song.mid" -o "$work/$take.mp4" --tempo 4 --pictures 10 --width 320 \
+    "$percussionist" film "$work/song.mid" -o "$work/$take.mp4" --with '/tempo 4' --pictures 10 --width 320 \
         --height 240 | tee "$work/said"
 done
 pictures=$(sed -n 's/^pictures *//p' "$work/said")
