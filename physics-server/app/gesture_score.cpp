@@ -144,7 +144,7 @@ std::string csv_of(const PlayedScore& score) {
     for (const GestureOfStroke& g : score.strokes) {
         text += fmt::format("{:.6f},{},{},{:.3f},{:.4f},{:.3f},{:.1f},{:.3f},{},{:.6f},{}\n",
                             g.asked.time, g.asked.hand == Hand::left ? "left" : "right", g.gesture,
-                            g.asked.speed, g.raised, g.fastest, g.acceleration, g.strained,
+                            g.asked.shape.impact, g.raised, g.fastest, g.acceleration, g.strained,
                             g.struck ? 1 : 0, g.contact_error, g.playable() ? 1 : 0);
     }
     return text;

@@ -43,7 +43,7 @@ const std::vector<LoggedContact>& Performance::step() {
         if (cause != nullptr) {
             contact.stroke = static_cast<int>(cause->stroke);
             contact.asked_time = cause->time;
-            contact.asked_speed = cause->speed;
+            contact.asked_speed = cause->shape.impact;
         }
         log_.add(contact);
         contacts_.push_back(contact);

@@ -24,7 +24,7 @@ struct PlanCommand {
 void print(const GestureOfStroke& g) {
     fmt::print("bar {} beat {:.2f}: {} {} at {:.2f} m/s: ", g.stroke.position.bar,
                g.stroke.position.beat, g.asked.hand == body::Hand::left ? "left" : "right",
-               g.gesture, g.asked.speed);
+               g.gesture, g.asked.shape.impact);
     if (!g.struck) {
         fmt::print("does not reach the head");
     } else {

@@ -24,19 +24,16 @@ constexpr double kFastest = 6.0;
 /// Between two strokes of a hand that takes over from the other, at least [s].
 constexpr double kSoonest = 0.12;
 
-/// The shape of a stroke as its gesture has it; none for a plain legato one.
-std::optional<body::StrokeShape> shape_of(const score::Stroke& stroke,
-                                          const std::optional<body::Gesture>& in_place,
-                                          double height) {
+/// A stroke as its gesture has it: `height` times as high.
+body::StrokeShape shape_of(const score::Stroke& stroke,
+                           const std::optional<body::Gesture>& in_place, double height) {
     const auto& all = body::built_in_gestures();
-    const body::Gesture& gesture =
-        in_place ? *in_place : all[static_cast<std::size_t>(stroke.nuance)];
-    if (gesture.synthetic && gesture.name == all.front().name) return std::nullopt;
+    const body::StrokeShape& usual =
+        in_place ? in_place->shape : all[static_cast<std::size_t>(stroke.nuance)].shape;
     // The dynamic: how much faster a legato stroke would be than the legato stroke of the table.
     const double dynamic =
         stroke.speed / score::impact_ratio(stroke.nuance) / all.front().shape.impact;
-    body::StrokeShape shape =
-        body::scaled(gesture.shape, std::min(dynamic, kFastest / gesture.shape.impact));
+    body::StrokeShape shape = body::scaled(usual, std::min(dynamic, kFastest / usual.impact));
     shape.rise *= height;
     return shape;
 }
@@ -129,15 +126,10 @@ void Player::shape(Hand hand, Asked& asked) const {
     const score::Stroke& s = strokes_[asked.stroke];
     asked.hand = hand;
     asked.shape = shape_of(s, hands_[static_cast<int>(hand)].gesture, height_);
-    asked.speed = asked.shape ? asked.shape->impact
-                              : std::min(kFastest, s.speed / score::impact_ratio(s.nuance));
-    asked.height = asked.shape ? asked.shape->rise : height_ * s.height;
 }
 
 bool Player::give(Hand hand, const Asked& asked) {
-    const bool taken = asked.shape
-                           ? simulation_.strike(hand, asked.time, *asked.shape)
-                           : simulation_.strike(hand, asked.time, asked.speed, asked.height);
+    const bool taken = simulation_.strike(hand, asked.time, asked.shape);
     if (taken) last_impact_ = std::max(last_impact_, asked.time);
     return taken;
 }

@@ -24,9 +24,7 @@ struct Asked {
     std::size_t stroke = 0;  ///< index in the list
     double time = 0.0;       ///< for which the impact was asked, simulated [s]
     body::Hand hand = body::Hand::right;
-    double speed = 0.0;   ///< at the impact [m/s]
-    double height = 0.0;  ///< to which the stick was to be raised, if there was time [m]
-    std::optional<body::StrokeShape> shape;  ///< none: a plain legato stroke
+    body::StrokeShape shape;  ///< if there was time for all of it
 };
 
 class Player {

@@ -243,8 +243,9 @@ void Server::tell_contact(const LoggedContact& contact) {
 void Server::tell_strike(const Asked& given) {
     const double now = performance_.simulation().time();
     tell(osc::StrikeMessage{now, static_cast<int>(given.hand), static_cast<int>(given.stroke),
-                            static_cast<float>(given.time - now), static_cast<float>(given.speed),
-                            static_cast<float>(given.height)});
+                            static_cast<float>(given.time - now),
+                            static_cast<float>(given.shape.impact),
+                            static_cast<float>(given.shape.rise)});
 }
 
 void Server::tell_pose() {
