@@ -114,3 +114,59 @@ TEST_CASE("stroke path: at rest the tip waits above the head") {
     CHECK(path.tip(5.0).position == doctest::Approx(StrokePath::kWaitingHeight));
     CHECK(path.tip(5.0).velocity == doctest::Approx(0.0));
 }
+
+namespace {
+
+Aim gesture_at(double time, const char* name) {
+    Aim aim;
+    aim.time = time;
+    aim.shape = find_gesture(built_in_gestures(), name)->shape;
+    aim.rebound = {0.7 * aim.shape->impact, 0.006};
+    return aim;
+}
+
+/// The first height at which the tip stops to rise after t.
+double rebound_after(const StrokePath& path, double t) {
+    t += 0.01;
+    while (path.tip(t).velocity > 0.0) t += kTick;
+    return path.tip(t).position;
+}
+
+}  // namespace
+
+TEST_CASE("stroke path: the rebound is the nuance's own, whatever follows in time") {
+    for (const Gesture& g : built_in_gestures()) {
+        CAPTURE(g.name);
+        StrokePath path;
+        path.aim(0.0, gesture_at(1.0, g.name.c_str()));
+        path.aim(1.0 + kTick, gesture_at(3.0, "legato"));
+        CHECK(rebound_after(path, 1.0) == doctest::Approx(g.shape.rebound).epsilon(0.02));
+    }
+}
+
+TEST_CASE("stroke path: the end of a stroke prepares the next without a stop") {
+    for (const double interval : {0.35, 0.5, 0.7, 0.8}) {
+        CAPTURE(interval);
+        StrokePath path;
+        path.aim(0.0, gesture_at(1.0, "legato"));
+        path.aim(1.0 + kTick, gesture_at(1.0 + interval, "vertical-accent"));
+        double raised = 0.0;
+        for (double t = 1.02; t < 1.0 + interval; t += 0.001) {
+            raised = std::max(raised, path.tip(t).position);
+        }
+        int still = 0;  // below where it is raised to [ms]
+        for (double t = 1.02; path.tip(t).position < 0.9 * raised; t += 0.001) {
+            if (std::abs(path.tip(t).velocity) < 0.05) ++still;
+        }
+        CHECK(still == 0);
+    }
+}
+
+TEST_CASE("stroke path: a stroke moved so late that it would go through the head cannot be followed") {
+    StrokePath path;
+    path.aim(0.0, gesture_at(1.0, "vertical-accent"));
+    CHECK(path.can_be_followed(0.01));
+    StrokePath later = path;
+    later.aim(0.98, gesture_at(1.15, "vertical-accent"));
+    CHECK(!later.can_be_followed(0.98));
+}
