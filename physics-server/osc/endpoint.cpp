@@ -242,6 +242,7 @@ void Endpoint::refuse(const Refusal& refusal, const Peer& sender) {
 
 void Endpoint::answer(const Peer& asker, const std::string& address,
                       std::vector<std::string> texts) {
+    if (asker.host.empty()) return;
     const sockaddr_in to = UdpSocket::address(known_host(asker.host), asker.port);
     {
         const std::lock_guard lock(answers_mutex_);

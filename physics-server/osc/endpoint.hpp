@@ -57,7 +57,8 @@ class Endpoint {
     /// Hands a message to the sending thread. Any thread; may take memory, waits for no I/O. Where
     /// the network is too slow for what is told, poses are left out.
     void tell(Outgoing message);
-    /// A question's answer, to the asker alone, unless it asks too often (AnswerBudget).
+    /// A question's answer, to the asker alone, unless it asks too often (AnswerBudget) or has no
+    /// host (in a replay).
     void answer(const Peer& asker, const std::string& address, std::vector<std::string> texts);
     /// What has been asked for, in order, a few at a time: obeying takes time. Simulating thread.
     std::vector<Heard> take_commands();
