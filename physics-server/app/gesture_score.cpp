@@ -189,11 +189,10 @@ void write_gesture_score(const PlayedScore& score, const std::string& title, dou
     picture.right = score.made[1];
     picture.tempo = score.tempo;
     const double end = score.made[0].empty() ? 0.0 : score.made[0].back().first;
-    int page = 0;
-    for (double from = 0.0; from < end; from += seconds) {
-        picture.from = from;
-        picture.to = from + seconds;
-        files::write_svg(folder / fmt::format("score-{:02}.svg", ++page), picture);
+    for (int page = 0; page * seconds < end; ++page) {
+        picture.from = page * seconds;
+        picture.to = picture.from + seconds;
+        files::write_svg(folder / fmt::format("score-{:02}.svg", page + 1), picture);
     }
 }
 

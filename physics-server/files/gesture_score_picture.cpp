@@ -37,8 +37,8 @@ class Picture {
         panel(1, "left", score_.left_asked, score_.left, kHandColour[0]);
         staff();
         tempo();
-        for (double t = std::ceil(score_.from); t <= score_.to; t += 1.0) {
-            label(x(t), kPanelTop[1] + kPanelHeight + 18, fmt::format("{:.0f}", t), "middle");
+        for (const int t : whole_seconds()) {
+            label(x(t), kPanelTop[1] + kPanelHeight + 18, std::to_string(t), "middle");
         }
         label(kWidth - kRight, kHeight - 14, "time [s]", "end");
         return out_ + "</svg>\n";
@@ -47,6 +47,13 @@ class Picture {
   private:
     [[nodiscard]] double x(double t) const {
         return kLeft + (t - score_.from) / (score_.to - score_.from) * (kWidth - kLeft - kRight);
+    }
+    [[nodiscard]] std::vector<int> whole_seconds() const {
+        std::vector<int> all;
+        for (int t = static_cast<int>(std::ceil(score_.from)); t <= score_.to; ++t) {
+            all.push_back(t);
+        }
+        return all;
     }
     [[nodiscard]] bool shown(double t) const { return t >= score_.from && t <= score_.to; }
 
@@ -75,7 +82,7 @@ class Picture {
 
     void panel(int index, const std::string& name, const Heights& asked, const Heights& made,
                const char* colour) {
-        for (double t = std::ceil(score_.from); t <= score_.to; t += 1.0) {
+        for (const int t : whole_seconds()) {
             line(x(t), kPanelTop[index], x(t), kPanelTop[index] + kPanelHeight, kGrey);
         }
         for (const double height : {0.0, 0.2, 0.4, 0.6}) {
