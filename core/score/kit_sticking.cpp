@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/score/sticking_trace.hpp"
+
 namespace percussionist::score {
 
 namespace {
@@ -18,12 +20,6 @@ struct State {
     std::array<int, 2> last{kForgotten, kForgotten};  ///< hit of the left and of the right hand
     std::array<bool, 2> bounced{false, false};
     double cost = 0.0;
-};
-
-/// How a state was reached: from which of the layer before, playing the group's hits how.
-struct Step {
-    std::uint32_t from = 0;
-    std::array<Played, 2> played{Played::not_at_all, Played::not_at_all};
 };
 
 /// Finds the state with the same pasts in the layer that is being made.
@@ -108,16 +104,10 @@ class Search {
     }
 
     [[nodiscard]] std::vector<Played> trace(std::span<const HitGroup> groups) const {
-        std::vector<Played> played(hits_.size(), Played::not_at_all);
-        std::size_t at = best();
-        for (std::size_t g = groups.size(); g-- > 0;) {
-            const Step& step = steps_[layer_start_[g] + at];
-            for (std::size_t k = 0; k < groups[g].count; ++k) {
-                played[groups[g].first + k] = step.played[k];
-            }
-            at = step.from;
-        }
-        return played;
+        return trace_back(groups, hits_.size(), best(),
+                          [this](std::size_t group, std::size_t state) -> const StickingStep& {
+                              return steps_[layer_start_[group] + state];
+                          });
     }
 
   private:
@@ -202,9 +192,9 @@ class Search {
     std::vector<State> states_;
     std::vector<State> before_;
     StateIndex index_;
-    std::vector<Step> steps_;               ///< layer after layer, one for each state
+    std::vector<StickingStep> steps_;       ///< layer after layer, one for each state
     std::vector<std::size_t> layer_start_;  ///< in steps_
-    Step step_;                             ///< the one being tried
+    StickingStep step_;                     ///< the one being tried
     int newest_ = 0;                        ///< the last hit of the group being played
 };
 

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "core/score/sticking_trace.hpp"
+
 namespace percussionist::score {
 
 namespace {
@@ -35,12 +37,6 @@ struct State {
     Cost cost;
 };
 
-/// How a state was reached: from which of the layer before, playing the group's hits how.
-struct Step {
-    std::uint32_t from = 0;
-    std::array<Played, 2> played{Played::not_at_all, Played::not_at_all};
-};
-
 class Search {
   public:
     Search(std::span<const Hit> hits, double min_interval)
@@ -60,16 +56,10 @@ class Search {
     }
 
     [[nodiscard]] std::vector<Played> trace(std::span<const HitGroup> groups) const {
-        std::vector<Played> played(hits_.size(), Played::not_at_all);
-        std::uint32_t at = best();
-        for (std::size_t g = groups.size(); g-- > 0;) {
-            const Step& step = steps_[g][at];
-            for (std::size_t k = 0; k < groups[g].count; ++k) {
-                played[groups[g].first + k] = step.played[k];
-            }
-            at = step.from;
-        }
-        return played;
+        return trace_back(groups, hits_.size(), best(),
+                          [this](std::size_t group, std::size_t state) -> const StickingStep& {
+                              return steps_[group][state];
+                          });
     }
 
   private:
@@ -173,9 +163,9 @@ class Search {
     std::vector<State> states_;
     std::vector<State> before_;
     std::unordered_map<std::uint64_t, std::size_t> index_;
-    std::vector<std::vector<Step>> steps_;  ///< of each group, one for each state after it
-    Step step_;                             ///< the one being tried
-    double now_ = 0.0;                      ///< time of the group being played [s]
+    std::vector<std::vector<StickingStep>> steps_;  ///< of each group, one for each state after it
+    StickingStep step_;                             ///< the one being tried
+    double now_ = 0.0;                              ///< time of the group being played [s]
 };
 
 }  // namespace

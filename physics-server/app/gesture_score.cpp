@@ -11,10 +11,10 @@
 namespace percussionist::app {
 
 using body::Hand;
+using body::kHands;
 
 namespace {
 
-constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 /// Of the curves [s].
 constexpr double kEvery = 0.004;
 /// What a player can do: of the tip [m/s], and how long a joint may be at its limit.

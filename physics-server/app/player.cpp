@@ -6,10 +6,10 @@
 namespace percussionist::app {
 
 using body::Hand;
+using body::kHands;
 
 namespace {
 
-constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 /// Time to raise the sticks before the first stroke [s].
 constexpr double kLead = 1.0;
 /// A stroke so near its impact is no longer bent [s].

@@ -9,9 +9,9 @@ namespace percussionist::app {
 namespace {
 
 using body::Hand;
+using body::kHands;
 using body::Vector3;
 
-constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 /// Samples kept a second.
 constexpr double kSampleRate = 250.0;
 /// A still clip (one frame) is held for so long [s].

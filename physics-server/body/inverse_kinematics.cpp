@@ -9,7 +9,6 @@ namespace percussionist::body {
 
 namespace {
 
-constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 /// Of a tip in one iteration [m].
 constexpr double kLongestStep = 0.10;
 /// Of the pull to rest where the Jacobian's transpose is used, a share.

@@ -13,6 +13,7 @@
 // Values; no ODE here. Building allocates; reading is pure.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,10 @@
 namespace percussionist::body {
 
 enum class Hand { left = 0, right = 1 };
+inline constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
+constexpr int index(Hand hand) {
+    return static_cast<int>(hand);
+}
 
 struct Segment {
     std::string name;

@@ -12,7 +12,6 @@ namespace percussionist::body {
 
 namespace {
 
-constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
 /// Postures are found this often, or as often as positions were recorded [s].
 constexpr double kPostureTime = 0.004;
 /// Iterations of inverse kinematics to begin with, and from posture to posture.

@@ -7,13 +7,9 @@
 namespace percussionist::sim {
 
 using body::Hand;
+using body::kHands;
 
 namespace {
-
-constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
-constexpr int index(Hand hand) {
-    return static_cast<int>(hand);
-}
 
 /// The hand is this much above the tip when the tip meets the head [m].
 constexpr double kHandAboveTip = 0.035;

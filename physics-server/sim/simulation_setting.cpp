@@ -11,13 +11,10 @@
 namespace percussionist::sim {
 
 using body::Hand;
+using body::kHands;
 
 namespace {
 
-constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
-constexpr int index(Hand hand) {
-    return static_cast<int>(hand);
-}
 /// How far a forearm is turned for thumbs up [rad].
 constexpr double kThumbsUp = 1.2;
 /// In which time the place of a stroke, or the head, moves to another [s].

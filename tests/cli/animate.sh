@@ -3,10 +3,7 @@
 # is read back and gives the same contacts, and a faulty kit is one clear line.
 set -eu
 percussionist=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 . "$(dirname "$(readlink -f "$0")")/song.sh"
-write_song "$work/song.mid"
 animate() { "$percussionist" animate "$work/song.mid" "$@" >"$work/said"; }
 
 animate -o "$work/one" --pictures 1.5 --write-kit "$work/posed.kit"

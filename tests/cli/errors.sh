@@ -31,8 +31,8 @@ expect 'an unknown address' 'no host' "$percussionist" serve --listen no.such.ho
 for signal in INT TERM; do
     "$percussionist" serve --port 0 >"$work/said" &
     server=$!
-    until grep -q '^listening' "$work/said"; do :; done
-    port=$(sed -n 's/^listening on .* port //p' "$work/said")
+    port=
+    until [ -n "$port" ]; do port=$(sed -n 's/^listening on .* port //p' "$work/said"); done
     expect 'a busy port' "port $port" "$percussionist" serve --port "$port"
     kill "-$signal" "$server"
     wait "$server" || { echo "SIG$signal: exit code $?, expected 0"; failed=1; }

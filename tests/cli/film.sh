@@ -2,11 +2,7 @@
 # film.sh PERCUSSIONIST: a score becomes a film with all its pictures and sound, and the same film again.
 set -eu
 percussionist=$1
-root=$(dirname "$(readlink -f "$0")")/../..
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$root/tests/cli/song.sh"
-write_song "$work/song.mid"
+. "$(dirname "$(readlink -f "$0")")/song.sh"
 for take in one two; do
     "$percussionist" film "$work/song.mid" -o "$work/$take.mp4" --with '/tempo 4' --pictures 10 --width 320 \
         --height 240 | tee "$work/said"

@@ -3,11 +3,7 @@
 # one line of error.
 set -eu
 percussionist=$1
-root=$(dirname "$(readlink -f "$0")")/../..
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$root/tests/cli/song.sh"
-write_song "$work/song.mid"
+. "$(dirname "$(readlink -f "$0")")/song.sh"
 "$percussionist" plan "$work/song.mid" --plot "$work/plan" --with '/tempo 1.5 2' '/nuance accent left' |
     tee "$work/said"
 strokes=$(sed -n 's/.*: \([0-9]*\) strokes, .*/\1/p' "$work/said")

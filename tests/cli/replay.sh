@@ -3,11 +3,7 @@
 # render writes of the same; a recording that tells of something else is found out.
 set -eu
 percussionist=$1
-root=$(dirname "$(readlink -f "$0")")/../..
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-. "$root/tests/cli/song.sh"
-write_song "$work/song.mid"
+. "$(dirname "$(readlink -f "$0")")/song.sh"
 "$percussionist" serve "$work/song.mid" --port 0 --play --quit-at-end --rate 500 \
     --record "$work/take.recording" --log "$work/live" >"$work/live.txt"
 rm "$work/song.mid"

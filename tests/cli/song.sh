@@ -1,5 +1,8 @@
-# Sourced: write_song FILE writes a Standard MIDI File of eight snare notes, half a second apart, each
-# louder than the one before.
+# Sourced by what plays a song: $root, a folder $work that is gone at the end, and in it song.mid, a
+# Standard MIDI File of eight snare notes, half a second apart, each louder than the one before.
+root=$(dirname "$(readlink -f "$0")")/../..
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 write_song() {
     local events='' velocity
     for velocity in 20 35 50 65 80 95 110 125; do
@@ -13,3 +16,4 @@ write_song() {
         printf "MTrk\\x00\\x00\\x00\\x$(printf '%02x' "$length")$events"
     } >"$1"
 }
+write_song "$work/song.mid"
