@@ -11,11 +11,15 @@ namespace {
 
 constexpr double kSurest = 2e-6;        // a rate is never known better from before than this
 constexpr double kMemory = 32.0;        // blocks
+constexpr std::size_t kFewest = 16;     // blocks, before which they tell nothing of the rate
 constexpr double kCaution = 4.0;        // blocks
 constexpr double kPatience = 0.35;      // [s]
 constexpr unsigned kLeastSuspects = 4;  // observations
 
 constexpr double kObservations = 200.0;  // that a mean goes back over
+/// Before so many observations how late they usually are is not known; this much is thought usual.
+constexpr double kFewObservations = 32.0;
+constexpr double kThoughtUsual = 0.1;  // [s]
 
 /// The mean of `count` values, once `more` of them have been added that are `value`.
 double running_mean(double mean, double value, double count, double most, double more = 1.0) {
@@ -64,7 +68,8 @@ void ClockTracker::observe(double x, double y) noexcept {
 /// not independent.
 double ClockTracker::latest_usual() const noexcept {
     const double number = per_block_ * kPatience / settings_.block;
-    return std::max({settings_.step, 4.0 * least_late_, 32.0 * mean_late_ / number});
+    const double unknown = observations_ < kFewObservations ? kThoughtUsual : 0.0;
+    return std::max({settings_.step, 4.0 * least_late_, 32.0 * mean_late_ / number, unknown});
 }
 
 /// Whether for some time now nothing has come in time; then x and y become the least late of that.
@@ -156,9 +161,10 @@ std::size_t ClockTracker::blocks_wanted() const noexcept {
         std::clamp(wanted, static_cast<double>(kLeastBlocks), static_cast<double>(kMostBlocks)));
 }
 
-/// By the single observations, or by the blocks once there are some: whichever tells more.
+/// By the single observations, or by the blocks once there are many: whichever tells more. Few
+/// seem less late than they are, as the line lies on the least late of them.
 double ClockTracker::slope_error(double span) const noexcept {
-    if (!(span > 0.0)) {
+    if (!(span > 0.0) || count_ < kFewest) {
         return std::numeric_limits<double>::infinity();
     }
     const auto blocks = static_cast<double>(count_ + 1);

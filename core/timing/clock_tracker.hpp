@@ -11,11 +11,13 @@
 // each block of time is kept, and no more blocks than the lateness asks for.
 //
 // While there are few, the slope of the hull is noise: it is weighed against the rate known before
-// (first 0 +- 50 ppm), by its standard error of about 14 lateness / (n span).
+// (first 0 +- 50 ppm), by its standard error of about 14 lateness / (n span), and for the first
+// three seconds it is not looked at.
 //
 // A step (one of the clocks was set, the machine slept, an audio device dropped out): what comes
 // early beyond `step` is believed at once; what comes late, once for a third of a second everything
-// does, beyond `step` and beyond what chance would do. The rate is kept.
+// does, beyond `step` and beyond what chance would do. The rate is kept. Of the first observations
+// it is not known what chance would do: a tenth of a second is thought possible.
 //
 // Pure, all of it noexcept and without allocation; one thread at a time. Times in seconds; their
 // differences are accurate to a double's 1e-16 of their size.

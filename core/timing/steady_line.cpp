@@ -7,21 +7,26 @@ namespace percussionist::timing {
 
 namespace {
 
-constexpr double kSure = 4.0;       // times a rate's error
-constexpr double kSureFor = 2.0;    // [s]
-constexpr double kTolerance = 8.0;  // times the tracker's uncertainty
-constexpr double kSettling = 0.5;   // [s]
-constexpr double kRested = 0.25;    // of the tolerance
-constexpr double kPull = 1.5;       // within which an error is drawn in [s]
+constexpr double kSure = 8.0;          // times a rate's error
+constexpr double kSureFor = 2.0;       // [s]
+constexpr double kTolerance = 16.0;    // times the tracker's uncertainty
+constexpr double kSettling = 0.5;      // [s]
+constexpr double kMoreSettling = 1.5;  // where the tracker is too uncertain [s]
+constexpr double kBeyond = 1.5;        // times the tolerance; what lies beyond is followed at once
+constexpr double kRested = 0.25;       // of the tolerance
+constexpr double kPull = 1.5;          // within which an error is drawn in [s]
 
 }  // namespace
 
 void SteadyLine::follow(const ClockTracker& tracker, double x) noexcept {
     const double error = tracker.to_y(x) - to_y(x);
-    if (!started_ || tracker.steps() != steps_ || !(std::abs(error) <= settings_.jump)) {
+    if (!started_ || tracker.steps() != steps_ ||
+        !(std::abs(error) <= std::max(settings_.jump, kBeyond * tolerance_))) {
         settling_until_ = x + kSettling;
     }
-    if (x < settling_until_) {
+    if (x < settling_until_ ||
+        (x < settling_until_ + kMoreSettling &&
+         0.5 * kTolerance * tracker.uncertainty() > settings_.most_tolerance)) {
         take(tracker, x);
         return;
     }

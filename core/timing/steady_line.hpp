@@ -6,12 +6,13 @@
 // offset apart: this line keeps it while the tracker's lies within a tolerance, outside slides
 // there, by at most `slew` of the time that passes, and rests again. How near is near enough the
 // tracker's own uncertainty says, when the line comes to rest: a network of 50 ms jitter is
-// followed to a millisecond, loopback to a few samples. A constant offset of that size is not
-// heard; a changing one is.
+// followed to 5 ms, as it needs a lookahead of far more, loopback to a few samples. A constant
+// offset of that size is not heard; a changing one is.
 //
 // Once the tracker is sure, for some seconds, that the clocks run apart, this line runs as the
-// tracker's does and is drawn gently towards it. A step of a clock, and what lies beyond `jump`, is
-// followed at once, and so is what the tracker learns in the half second after it.
+// tracker's does and is drawn gently towards it. A step of a clock, and what lies beyond `jump` and
+// beyond one and a half tolerances, is followed at once, and so is what the tracker learns in the
+// half second after it, or in two seconds where it is that uncertain.
 //
 // Pure, noexcept, without allocation; one thread at a time. Times in seconds.
 #pragma once
@@ -23,10 +24,10 @@ namespace percussionist::timing {
 class SteadyLine {
   public:
     struct Settings {
-        double least_tolerance = 5e-5;   ///< [s]
-        double most_tolerance = 1.5e-3;  ///< [s]
-        double slew = 5e-4;              ///< of time
-        double jump = 3e-3;              ///< [s]
+        double least_tolerance = 5e-5;  ///< [s]
+        double most_tolerance = 5e-3;   ///< [s]
+        double slew = 5e-4;             ///< of time
+        double jump = 3e-3;             ///< [s]
     };
 
     SteadyLine() : SteadyLine(Settings()) {}
