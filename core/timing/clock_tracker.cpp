@@ -11,14 +11,13 @@ namespace {
 
 constexpr double kSurest = 2e-6;        // a rate is never known better from before than this
 constexpr double kMemory = 32.0;        // blocks
-constexpr std::size_t kFewest = 16;     // blocks, before which they tell nothing of the rate
 constexpr double kCaution = 4.0;        // blocks
 constexpr double kPatience = 0.35;      // [s]
 constexpr unsigned kLeastSuspects = 4;  // observations
 
 constexpr double kObservations = 200.0;  // that a mean goes back over
 /// Before so many observations how late they usually are is not known; this much is thought usual.
-constexpr double kFewObservations = 32.0;
+constexpr unsigned kFewObservations = 32;
 constexpr double kThoughtUsual = 0.1;  // [s]
 
 /// The mean of `count` values, once `more` of them have been added that are `value`.
@@ -50,6 +49,9 @@ void ClockTracker::observe(double x, double y) noexcept {
         ++steps_;
         lock(x, y);
         return;
+    }
+    if (beginning_.count < kFewObservations) {
+        beginning_.add(y - x - origin_);
     }
     if (suspect_.count == 0) {
         mean_late_ = running_mean(mean_late_, std::max(late, 0.0), ++observations_, kObservations);
@@ -129,6 +131,8 @@ void ClockTracker::lock(double x, double y) noexcept {
     offset_ = 0.0;
     first_ = count_ = 0;
     suspect_ = {};
+    beginning_ = {};
+    beginning_.add(0.0);
     block_ = {.least = {0.0, 0.0}, .late = 0.0, .began = y, .count = 1};
 }
 
@@ -161,20 +165,24 @@ std::size_t ClockTracker::blocks_wanted() const noexcept {
         std::clamp(wanted, static_cast<double>(kLeastBlocks), static_cast<double>(kMostBlocks)));
 }
 
-/// By the single observations, or by the blocks once there are many: whichever tells more. Few
-/// seem less late than they are, as the line lies on the least late of them.
+/// By the single observations, or by the blocks once there are many: whichever tells more.
 double ClockTracker::slope_error(double span) const noexcept {
-    if (!(span > 0.0) || count_ < kFewest) {
+    if (!(span > 0.0)) {
         return std::numeric_limits<double>::infinity();
     }
     const auto blocks = static_cast<double>(count_ + 1);
-    const double single = 14.0 * mean_late_ / (per_block_ * blocks * span);
+    const double single = 14.0 * lateness() / (per_block_ * blocks * span);
     return blocks < kMemory ? single : std::min(single, 8.0 * least_late_ / (blocks * span));
+}
+
+double ClockTracker::lateness() const noexcept {
+    return beginning_.count < kFewObservations ? std::max(mean_late_, beginning_.lateness())
+                                               : mean_late_;
 }
 
 double ClockTracker::uncertainty() const noexcept {
     const double number = per_block_ * static_cast<double>(count_) + block_.count;
-    return 2.0 * mean_late_ / std::max(number, 1.0);
+    return 2.0 * lateness() / std::max(number, 1.0);
 }
 
 void ClockTracker::fit() noexcept {

@@ -11,8 +11,9 @@
 // each block of time is kept, and no more blocks than the lateness asks for.
 //
 // While there are few, the slope of the hull is noise: it is weighed against the rate known before
-// (first 0 +- 50 ppm), by its standard error of about 14 lateness / (n span), and for the first
-// three seconds it is not looked at.
+// (first 0 +- 50 ppm), by its standard error of about 14 lateness / (n span). The first
+// observations seem less late than they are, as the line goes through the least late of them: their
+// lateness is what they lie above the least of all, whatever the line.
 //
 // A step (one of the clocks was set, the machine slept, an audio device dropped out): what comes
 // early beyond `step` is believed at once; what comes late, once for a third of a second everything
@@ -57,7 +58,7 @@ class ClockTracker {
     /// About how far off the line may be, by its observations' lateness and their number [s].
     double uncertainty() const noexcept;
     /// Mean lateness of the observations [s].
-    double lateness() const noexcept { return mean_late_; }
+    double lateness() const noexcept;
     /// Steps found since the beginning.
     unsigned steps() const noexcept { return steps_; }
 
@@ -76,6 +77,18 @@ class ClockTracker {
         double sum = 0.0;   // of all
         double began = 0.0;
         unsigned count = 0;
+    };
+
+    /// The first observations after a lock: y less x.
+    struct Beginning {
+        unsigned count = 0;
+        double sum = 0.0, least = 0.0;
+        void add(double value) noexcept {
+            least = count == 0 || value < least ? value : least;
+            sum += value;
+            ++count;
+        }
+        double lateness() const noexcept { return sum / count - least; }
     };
 
     double deviation(double x) const noexcept { return offset_ + rate_ * (x - x0_); }
@@ -100,6 +113,7 @@ class ClockTracker {
     double observations_ = 0.0, blocks_ = 0.0;   // behind these means
     double per_block_ = 1.0;
     unsigned steps_ = 0;
+    Beginning beginning_;
     Block block_;
     Block suspect_;  // the latest observations, as long as all are too late; plain x and y
     std::array<Point, kMostBlocks> points_{};

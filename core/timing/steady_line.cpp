@@ -7,9 +7,9 @@ namespace percussionist::timing {
 
 namespace {
 
-constexpr double kSure = 8.0;          // times a rate's error
+constexpr double kSure = 6.0;          // times a rate's error
 constexpr double kSureFor = 2.0;       // [s]
-constexpr double kTolerance = 16.0;    // times the tracker's uncertainty
+constexpr double kTolerance = 8.0;     // times the tracker's uncertainty
 constexpr double kSettling = 0.5;      // [s]
 constexpr double kMoreSettling = 1.5;  // where the tracker is too uncertain [s]
 constexpr double kBeyond = 1.5;        // times the tolerance; what lies beyond is followed at once
@@ -24,9 +24,8 @@ void SteadyLine::follow(const ClockTracker& tracker, double x) noexcept {
         !(std::abs(error) <= std::max(settings_.jump, kBeyond * tolerance_))) {
         settling_until_ = x + kSettling;
     }
-    if (x < settling_until_ ||
-        (x < settling_until_ + kMoreSettling &&
-         0.5 * kTolerance * tracker.uncertainty() > settings_.most_tolerance)) {
+    if (x < settling_until_ || (x < settling_until_ + kMoreSettling &&
+                                kTolerance * tracker.uncertainty() > settings_.most_tolerance)) {
         take(tracker, x);
         return;
     }

@@ -70,6 +70,21 @@ std::string to_string(const Endpoint& endpoint) {
     return text + std::to_string(endpoint.port);
 }
 
+/// Whether it was announced for this very instant before; remembers that it is now.
+bool OscInbox::Sender::announced(const OscMessage& message, TimeTag tag) {
+    const bool once = message.address == "/started" || message.address == "/finished";
+    if (!once) {
+        return false;
+    }
+    const Announcement now{message.address, tag};
+    if (std::find(announcements.begin(), announcements.end(), now) != announcements.end()) {
+        return true;
+    }
+    std::rotate(announcements.begin(), std::prev(announcements.end()), announcements.end());
+    announcements.front() = now;
+    return false;
+}
+
 double OscInbox::Sender::due(TimeTag tag) const {
     return line.to_y(seconds_between(epoch, tag) - lookahead.value_or(0.0)) +
            lookahead.value_or(0.0);
@@ -146,6 +161,9 @@ void OscInbox::deliver(Sender& sender, OscBundle& bundle) {
         delivery->due = due;
         delivery->stale = due < sender.back - kReordering && find_in(bundle, kContact) != nullptr;
         std::erase_if(bundle.messages, [&](const OscMessage& message) {
+            if (sender.announced(message, bundle.tag)) {
+                return true;
+            }
             const auto number = sequence_of(message);
             return number &&
                    (!sender.contacts.is_new(*number, static_cast<std::int64_t>(bundle.tag)) ||

@@ -11,14 +11,17 @@
 // Tag 1 and plain messages are due at once. /contact is dropped where sequence number and tag were
 // heard before, and where it was due before the sender was first heard of; a stroke that comes a
 // tenth of a second late is worth nothing: after a cable was out, none are rained down at once.
+// /started and /finished come several times too, and once for any one tag.
 //
 // No thread, no clock: times are arguments, seconds of one monotonic clock. One thread at a time.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/timing/clock_tracker.hpp"
@@ -80,7 +83,10 @@ class OscInbox {
         timing::ClockTracker clock;
         timing::SteadyLine line;
         timing::SequenceFilter contacts{kTagsPerSecond};
+        using Announcement = std::pair<std::string, TimeTag>;
+        std::array<Announcement, 8> announcements{};  // the latest first
 
+        bool announced(const OscMessage& message, TimeTag tag);
         double due(TimeTag tag) const;
     };
 

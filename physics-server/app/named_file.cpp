@@ -20,4 +20,19 @@ std::filesystem::path named_file(const std::filesystem::path& folder, const std:
     return folder / (name + ending);
 }
 
+void require_room(const std::filesystem::path& path) {
+    constexpr std::ptrdiff_t kMostFiles = 100;
+    if (std::filesystem::exists(path)) return;
+    const std::filesystem::path folder = path.parent_path(), ending = path.extension();
+    std::error_code error;
+    const std::filesystem::directory_iterator entries(folder, error);
+    const auto there = std::count_if(begin(entries), end(entries), [&](const auto& entry) {
+        return entry.path().extension() == ending;
+    });
+    if (there >= kMostFiles) {
+        throw std::runtime_error(folder.string() + ": holds 100 files *" + ending.string() +
+                                 " already");
+    }
+}
+
 }  // namespace percussionist::app

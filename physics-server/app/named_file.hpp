@@ -11,4 +11,8 @@ namespace percussionist::app {
 std::filesystem::path named_file(const std::filesystem::path& folder, const std::string& name,
                                  const std::string& ending);
 
+/// Whoever asks for files may not fill the disk: throws std::runtime_error if FOLDER holds 100 of
+/// that ending, and `path` would be one more.
+void require_room(const std::filesystem::path& path);
+
 }  // namespace percussionist::app

@@ -1,6 +1,5 @@
 #include "app/route_file.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 
@@ -9,20 +8,6 @@
 #include "osc/route.hpp"
 
 namespace percussionist::app {
-
-namespace {
-
-/// Whoever asks for routes to be saved may not fill the disk.
-constexpr std::ptrdiff_t kMostFiles = 100;
-
-std::ptrdiff_t route_files(const std::filesystem::path& folder) {
-    std::error_code error;
-    const std::filesystem::directory_iterator entries(folder, error);
-    return std::count_if(begin(entries), end(entries),
-                         [](const auto& entry) { return entry.path().extension() == ".routes"; });
-}
-
-}  // namespace
 
 std::vector<std::string> read_routes(const std::filesystem::path& path) {
     std::ifstream in(path);
@@ -47,9 +32,7 @@ std::vector<std::string> read_routes(const std::filesystem::path& path) {
 void write_routes(const std::filesystem::path& folder, const std::string& name,
                   const std::vector<std::pair<int, std::string>>& routes) {
     const std::filesystem::path path = named_file(folder, name, ".routes");
-    if (!std::filesystem::exists(path) && route_files(folder) >= kMostFiles) {
-        throw std::runtime_error(folder.string() + ": holds 100 files of routes already");
-    }
+    require_room(path);
     std::string text;
     for (const auto& [number, line] : routes) text += line + '\n';
     files::replace_text(path, text);

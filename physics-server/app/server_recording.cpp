@@ -3,6 +3,7 @@
 
 #include "app/named_file.hpp"
 #include "app/server.hpp"
+#include "files/text_file.hpp"
 #include "osc/wire.hpp"
 
 namespace percussionist::app {
@@ -39,7 +40,11 @@ void Server::record(const osc::Record& wish) {
         fault = tape_.end(steps());
     } else {
         try {
-            tape_.begin(named_file(options_.score_folder, wish.file, ".recording"));
+            const auto path = named_file(options_.score_folder, wish.file, ".recording");
+            require_room(path);
+            tape_.require_idle();
+            files::create_new(path);
+            tape_.begin(path);
         } catch (const std::exception& error) {
             fault = error.what();
         }

@@ -46,12 +46,16 @@ void Tape::keep(files::Record record) {
     if (whole_) history_.push_back(std::move(record));
 }
 
-void Tape::begin(const std::filesystem::path& path) {
+void Tape::require_idle() const {
     if (recorder_) throw std::runtime_error("a recording is being made; /record ends it");
     if (!whole_) {
         throw std::runtime_error(
             "more has been told since the start than is kept; --record records from the start");
     }
+}
+
+void Tape::begin(const std::filesystem::path& path) {
+    require_idle();
     recorder_ = std::make_unique<Recorder>(path);
     for (const files::Record& record : history_) recorder_->add(record);
 }

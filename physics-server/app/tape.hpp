@@ -28,8 +28,9 @@ class Tape {
     void heard(std::int64_t step, const osc::Heard& heard);
     void told(std::int64_t step, osc::Packet packet);
 
-    /// Throws std::runtime_error if a recording is being made, the file cannot be written, or more
-    /// has been told than is kept.
+    /// Throws std::runtime_error if a recording is being made, or more has been told than is kept.
+    void require_idle() const;
+    /// The same, and throws std::runtime_error if the file cannot be written.
     void begin(const std::filesystem::path& path);
     /// Completes the recording; the fault, or an empty text.
     std::string end(std::int64_t step);

@@ -13,4 +13,7 @@ void write_text(const std::filesystem::path& path, const std::string& text);
 /// is replaced, not followed.
 void replace_text(const std::filesystem::path& path, const std::string& text);
 
+/// An empty file where none was: throws std::runtime_error if there is one, or a link of that name.
+void create_new(const std::filesystem::path& path);
+
 }  // namespace percussionist::files

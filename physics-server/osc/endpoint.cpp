@@ -14,8 +14,8 @@ namespace {
 
 /// How many events ride along: with them a packet still fits one Ethernet frame.
 constexpr std::size_t kRideAlong = 7;
-/// A contact is sent again evenly over half of the lookahead, for that much is surely left when it
-/// is known: the more often, the longer that is.
+/// What may not be lost is sent again evenly over half of the lookahead, for that much is surely
+/// left when a contact is known: the more often, the longer that is.
 constexpr double kRepeatShare = 0.5;
 constexpr double kRepeatsApart = 7.5e-3;  // [s]
 constexpr int kLeastRepeats = 4;
@@ -280,7 +280,7 @@ void Endpoint::send_loop() {
 
 void Endpoint::send_due(double now) {
     while (!repeats_.empty() && repeats_.front().wall <= now) {
-        broadcast(repeats_.front().packet, Feed::sound);
+        broadcast(repeats_.front().packet, repeats_.front().feed);
         repeats_.pop_front();
     }
     if (now >= next_clock_) {
@@ -291,18 +291,21 @@ void Endpoint::send_due(double now) {
 
 void Endpoint::send_contact(const ContactMessage& contact) {
     const std::vector<ContactMessage> earlier(recent_.begin(), recent_.end());
-    Packet packet = encode(contact, earlier, options_.lookahead);
-    broadcast(packet, Feed::sound);
+    send_repeatedly(encode(contact, earlier, options_.lookahead), Feed::sound);
+    recent_.push_front(contact);
+    if (recent_.size() > kRideAlong) recent_.pop_back();
+}
+
+void Endpoint::send_repeatedly(const Packet& packet, Feed feed) {
+    broadcast(packet, feed);
     const double now = wall_();
     const double over = kRepeatShare * options_.lookahead;
     const int repeats =
         std::clamp(static_cast<int>(over / kRepeatsApart), kLeastRepeats, kMostRepeats);
     const double gap = over / repeats;
-    for (int i = 1; i <= repeats; ++i) repeats_.push_back({now + i * gap, packet});
+    for (int i = 1; i <= repeats; ++i) repeats_.push_back({now + i * gap, packet, feed});
     std::sort(repeats_.begin(), repeats_.end(),
               [](const Repeat& a, const Repeat& b) { return a.wall < b.wall; });
-    recent_.push_front(contact);
-    if (recent_.size() > kRideAlong) recent_.pop_back();
 }
 
 void Endpoint::send(const Outgoing& message) {
@@ -318,9 +321,9 @@ void Endpoint::send(const Outgoing& message) {
     } else if (const auto* state = std::get_if<StateMessage>(&message)) {
         broadcast(encode(*state, lookahead), Feed::all);
     } else if (const auto* started = std::get_if<StartedMessage>(&message)) {
-        broadcast(encode(*started, lookahead), Feed::all);
+        send_repeatedly(encode(*started, lookahead), Feed::all);
     } else if (const auto* finished = std::get_if<FinishedMessage>(&message)) {
-        broadcast(encode(*finished, lookahead), Feed::all);
+        send_repeatedly(encode(*finished, lookahead), Feed::all);
     } else if (const auto* dropped = std::get_if<DroppedMessage>(&message)) {
         broadcast(encode(*dropped), Feed::all);
     }

@@ -67,6 +67,7 @@ class Endpoint {
     struct Repeat {
         double wall;
         Packet packet;
+        Feed feed;
     };
     void hear();
     void hear(std::span<const char> packet, const sockaddr_in& from);
@@ -86,6 +87,7 @@ class Endpoint {
     void refuse(const Refusal& refusal, const Peer& sender);
     void send_loop();
     void send_contact(const ContactMessage& contact);
+    void send_repeatedly(const Packet& packet, Feed feed);
     void send_due(double now);
     void send(const Outgoing& message);
     void send_picture(const Outgoing& message);

@@ -57,6 +57,13 @@ class OscListener {
         }
         return count(address) >= times;
     }
+    /// Waits until so many different contacts have been heard; gives up after a minute.
+    bool hears_contacts(std::size_t different) const {
+        for (int i = 0; i < 60000 && contacts().size() < different; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return contacts().size() >= different;
+    }
 
   private:
     void hear() {

@@ -50,7 +50,7 @@ struct Link {
     double lateness = 0.0;
     double loss = 0.0;
     double doubled = 0.0;
-    double clocks = 20.0;  // a second
+    double clocks = 100.0;  // a second, as the server sends them
     unsigned seed = 1;
 
     struct Packet {
@@ -199,6 +199,28 @@ TEST_CASE("a sender without /clock, always as far ahead, is heard evenly") {
     for (int i = 10; i < 100; ++i) {
         CHECK(*box.got[i].due == doctest::Approx(5e4 + 0.1 * i).epsilon(1e-10));
     }
+}
+
+TEST_CASE(
+    "what is announced again and again for one instant is heard once, and another time anew") {
+    Box box;
+    const auto said = [&](const char* address, double at) {
+        return osc_bundle(osc_tag(at), {osc_message(address, "f", {osc_float(1.0)})});
+    };
+    box.inbox.take(clock_packet(100.0, kLookahead), kServer, 1.0);
+    for (int i = 0; i < 5; ++i) {
+        box.inbox.take(said("/started", 100.5), kServer, 1.001 + 0.01 * i);
+        box.inbox.take(said("/finished", 100.5), kServer, 1.002 + 0.01 * i);
+        box.inbox.take(said("/started", 100.7), kServer, 1.003 + 0.01 * i);
+        box.inbox.take(said("/other", 100.5), kServer, 1.004 + 0.01 * i);
+    }
+    const auto count = [&](const char* address) {
+        return std::count_if(box.got.begin(), box.got.end(),
+                             [&](const Got& g) { return g.message.address == address; });
+    };
+    CHECK(count("/started") == 2);
+    CHECK(count("/finished") == 1);
+    CHECK(count("/other") == 5);
 }
 
 TEST_CASE("plain messages and tag 1 are due at once, and alike ones are none the less two") {

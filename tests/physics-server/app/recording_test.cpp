@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <thread>
 
+#include "app/recorder.hpp"
 #include "app/server.hpp"
 #include "app/simulation_flags.hpp"
 #include "app/told_comparison.hpp"
@@ -92,7 +94,8 @@ TEST_CASE("a recording played again makes the same contacts and poses to the las
         REQUIRE(client.hears("/contact", 15));
         client.send("/stop");
         client.send("/play");
-        REQUIRE(client.hears("/contact", 21));
+        // More than can have been under way when it began anew.
+        REQUIRE(client.hears_contacts(client.contacts().size() + 6));
     });
     const files::Recording take = files::read_recording(options.recording);
     CHECK(!take.cut);
@@ -139,6 +142,43 @@ TEST_CASE("a recording begun and ended while all plays is played again from the 
         break;
     }
     CHECK(!replay(take).same);
+}
+
+TEST_CASE("a recording asked for over OSC replaces no file and follows no link") {
+    const Folder folder;
+    const auto outside = folder.path / "outside";
+    std::ofstream(outside) << "as it was";
+    std::ofstream(folder.path / "taken.recording") << "as it was";
+    std::filesystem::create_symlink(outside, folder.path / "link.recording");
+    std::filesystem::create_symlink(folder.path / "nowhere", folder.path / "loose.recording");
+    app::ServeOptions options;
+    options.score_folder = folder.path;
+    perform(options, [](OscListener& client) {
+        int errors = 0;
+        for (const char* name : {"taken", "link", "loose"}) {
+            client.send("/record", {name});
+            REQUIRE(client.hears("/error", ++errors));
+        }
+        client.send("/record", {"free"});
+        REQUIRE(client.hears("/reply"));
+    });
+    CHECK(std::filesystem::exists(folder.path / "free.recording"));
+    CHECK_FALSE(std::filesystem::exists(folder.path / "nowhere"));
+    for (const auto& file : {outside, folder.path / "taken.recording"}) {
+        std::ifstream in(file);
+        CHECK(std::string(std::istreambuf_iterator<char>(in), {}) == "as it was");
+    }
+}
+
+TEST_CASE("on a disk that is nearly full a recording ends early, whole up to there, and says so") {
+    const Folder folder;
+    const auto path = folder.path / "full.recording";
+    constexpr std::uintmax_t kMoreThanThereIs = std::uintmax_t{1} << 62U;
+    app::Recorder recorder(path, kMoreThanThereIs);
+    recorder.add({files::RecordKind::settings, 0, {}});
+    const std::string fault = recorder.finish(1);
+    CHECK(fault.find("nearly full") != std::string::npos);
+    CHECK(fault.find("full.recording") != std::string::npos);
 }
 
 TEST_CASE("what a body is made of is kept as it was given") {
