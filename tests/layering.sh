@@ -43,6 +43,7 @@ may physics-server/app app sim body osc files tracker core
 only 'm_pd\.h' pd-externals/pdx
 only 'ode/.*' physics-server/sim
 only 'lo/.*' physics-server/osc
+only 'avahi-.*' physics-server/osc
 only 'libserialport\.h' pd-externals/io
 only 'sndfile.*|pugixml.*|nlohmann/.*|zip\.h' physics-server/files
 

@@ -52,7 +52,15 @@ class Walk {
         }
         const auto length = static_cast<std::size_t>(end - rest.begin());
         const auto* const letters = reinterpret_cast<const char*>(rest.data());
-        skip((length / kWord + 1) * kWord, "zeros up to a multiple of 4 bytes");
+        const std::size_t whole = (length / kWord + 1) * kWord;
+        // oscpack looks for the end at every fourth byte alone.
+        const bool padded = whole <= rest.size() &&
+                            std::all_of(end, rest.begin() + static_cast<std::ptrdiff_t>(whole),
+                                        [](std::uint8_t byte) { return byte == 0; });
+        if (!padded) {
+            refuse("zeros up to a multiple of 4 bytes");
+        }
+        at_ += whole;
         return {letters, length};
     }
     Walk part(std::size_t count) {

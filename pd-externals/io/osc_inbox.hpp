@@ -27,6 +27,7 @@
 #include "core/timing/clock_tracker.hpp"
 #include "core/timing/sequence_filter.hpp"
 #include "core/timing/steady_line.hpp"
+#include "io/dns_sd.hpp"
 #include "io/osc_packet.hpp"
 
 namespace percussionist::io {
@@ -40,7 +41,7 @@ struct Endpoint {
 /// "127.0.0.1:7770"
 std::string to_string(const Endpoint& endpoint);
 
-/// Messages due at one time; or, instead, a complaint for the user.
+/// Messages due at one time; or, instead, a complaint for the user, or a server that was found.
 struct Delivery {
     std::optional<double> due;  ///< none: at once [s]
     /// Of a time when the sender could not be heard: only to be counted, if it is late.
@@ -48,6 +49,7 @@ struct Delivery {
     std::uint64_t serial = 0;  ///< counts deliveries: the order of those due together
     std::vector<OscMessage> messages;
     std::string complaint;
+    std::optional<FoundServer> found;
 };
 
 class OscInbox {

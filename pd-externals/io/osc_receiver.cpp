@@ -65,6 +65,10 @@ void OscReceiver::send_often(Bytes packet) {
     command({.kind = Command::Kind::kOften, .host = {}, .packet = std::move(packet)});
 }
 
+void OscReceiver::find() {
+    command({.kind = Command::Kind::kFind, .host = {}, .packet = {}});
+}
+
 void OscReceiver::command(Command command) {
     if (!commands_.push(std::move(command))) {
         throw std::runtime_error("too much to send at once");
@@ -89,6 +93,7 @@ void OscReceiver::run() {
         publish_status();
         obey_commands();
         send_what_waits(monotonic_seconds());
+        search(monotonic_seconds());
         for (std::unique_ptr<Delivery> done; returned_.pop(done);) {
         }
     }
@@ -127,6 +132,28 @@ void OscReceiver::obey(Command& command) {
             }
             to_send_.push_back(std::move(command.packet));
             break;
+        case Command::Kind::kFind:
+            search_.emplace(monotonic_seconds());
+            break;
+    }
+}
+
+void OscReceiver::search(double now) {
+    if (!search_) {
+        return;
+    }
+    for (FoundServer& server : search_->step(now)) {
+        auto delivery = std::make_unique<Delivery>();
+        delivery->found = std::move(server);
+        hand_over(std::move(delivery));
+    }
+    if (search_->over(now)) {
+        if (search_->in_vain()) {
+            complain(
+                "find: no server has answered within 3 s; expected one that was started with "
+                "--listen 0.0.0.0 on a machine with the Avahi daemon");
+        }
+        search_.reset();
     }
 }
 

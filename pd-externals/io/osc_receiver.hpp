@@ -17,6 +17,7 @@
 
 #include "io/host_lookup.hpp"
 #include "io/osc_inbox.hpp"
+#include "io/server_search.hpp"
 #include "io/spsc_ring.hpp"
 #include "io/udp_socket.hpp"
 
@@ -50,10 +51,12 @@ class OscReceiver {
     void send(Bytes packet);
     /// Now and every second, until told otherwise by another, or by an empty one.
     void send_often(Bytes packet);
+    /// Looks for servers on this machine's networks for 3 s: each comes as a delivery.
+    void find();
 
   private:
     struct Command {
-        enum class Kind { kServer, kSend, kOften } kind = Kind::kSend;
+        enum class Kind { kServer, kSend, kOften, kFind } kind = Kind::kSend;
         std::string host;
         int port = 0;
         Bytes packet;
@@ -65,6 +68,7 @@ class OscReceiver {
     void obey_commands();
     void obey(Command& command);
     void send_what_waits(double now);
+    void search(double now);
     void hand_over(std::unique_ptr<Delivery> delivery);
     void complain(const std::string& text);
     void publish_status();
@@ -83,6 +87,7 @@ class OscReceiver {
     // The thread's own.
     double refused_ = 0;
     std::optional<HostLookup> lookup_;
+    std::optional<ServerSearch> search_;
     Endpoint server_;
     std::string server_name_;
     std::deque<Bytes> to_send_;

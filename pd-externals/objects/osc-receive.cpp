@@ -1,5 +1,6 @@
 // [osc-receive PORT]: OSC over UDP, each message at the very time its time tag names; see
 // docs/osc-protocol.md, io/osc_receiver.hpp and io/playout.hpp.
+#include <array>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -70,6 +71,8 @@ class OscReceive : public Object {
         }
         receiver().send(io::write_osc(address, values));
     }
+
+    void find(const Arguments&) { receiver().find(); }
 
     void status(const Arguments&) {
         const auto s = receiver_ ? receiver_->status() : io::OscReceiver::Status{};
@@ -149,12 +152,15 @@ class OscReceive : public Object {
             if (!delivery) {
                 break;
             }
-            if (delivery->complaint.empty()) {
-                playout_.add(std::move(delivery));
-            } else {
+            if (!delivery->complaint.empty()) {
                 error(delivery->complaint);
-                receiver_->give_back(std::move(delivery));
+            } else if (delivery->found) {
+                tell(*delivery->found);
+            } else {
+                playout_.add(std::move(delivery));
+                continue;
             }
+            receiver_->give_back(std::move(delivery));
         }
         play();
     }
@@ -171,6 +177,14 @@ class OscReceive : public Object {
         if (playout_.next() < tick_end_) {
             play_clock_.at(playout_.next());
         }
+    }
+
+    void tell(const io::FoundServer& server) {
+        const std::string where = to_string(io::Endpoint{server.address, server.port});
+        const std::string host = where.substr(0, where.find(':'));
+        const std::array<Atom, 3> atoms{host.c_str(), static_cast<double>(server.port),
+                                        server.name.c_str()};
+        send(1, "found", atoms);
     }
 
     void let_out(const io::OscMessage& message) {
@@ -225,8 +239,14 @@ PDX_SETUP(setup_osc0x2dreceive) {
             .message("unsubscribe", {}, "asks for no more", &OscReceive::unsubscribe)
             .message("send", {word("address"), anything("arguments")},
                      "tells the server that subscribe names", &OscReceive::send_out)
+            .message("find", {},
+                     "looks for servers on this machine's networks for 3 s; each found: HOST PORT "
+                     "NAME",
+                     &OscReceive::find)
             .message("status", {}, "tells now how it goes", &OscReceive::status)
             .outlet("each message, its address as selector")
             .outlet("each second, a message each: port received lost late latest [s] repeated "
-                    "malformed dropped senders lookahead [s] offset [s] rate [ppm] jitter [s]"));
+                    "malformed dropped senders lookahead [s] offset [s] rate [ppm] jitter [s]; "
+                    "after find: "
+                    "found HOST PORT NAME"));
 }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "app/commands.hpp"
 #include "app/real_time.hpp"
@@ -11,6 +12,7 @@
 #include "app/server.hpp"
 #include "app/simulation_flags.hpp"
 #include "app/stop_signals.hpp"
+#include "osc/announcement.hpp"
 
 namespace percussionist::app {
 
@@ -22,6 +24,8 @@ void serve(const ServeOptions& options) {
     Server server(options, clock);
     fmt::print("listening on {} port {}\n", options.endpoint.listen, server.port());
     std::fflush(stdout);
+    std::optional<osc::Announcement> announcement;
+    if (options.endpoint.listen == "0.0.0.0") announcement.emplace(server.port());
     ask_for_real_time();
     server.run(stop);
     fmt::print("{}late steps         {}\n", describe(server.performance().summary()),

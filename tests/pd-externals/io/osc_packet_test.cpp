@@ -100,6 +100,21 @@ TEST_CASE("what is no OSC is refused, and the place is named") {
     CHECK(refusal(beyond) == "byte 20: expected an element that fits the packet");
 }
 
+TEST_CASE("texts that are not filled up with zeros are refused, wherever they stand") {
+    const OscBytes whole = osc_message("/ab", "ssb", {osc_text("c"), osc_text("d"), osc_int(0)});
+    REQUIRE(refusal(whole).empty());
+    int texts = 0;
+    for (std::size_t i = 1; i < whole.size() - 4; ++i) {
+        if (whole[i] == 0 && whole[i - 1] == 0) {  // one that only fills up
+            OscBytes damaged = whole;
+            damaged[i] = 'x';
+            CHECK(refusal(damaged).find("zeros") != std::string::npos);
+            ++texts;
+        }
+    }
+    CHECK(texts >= 4);
+}
+
 TEST_CASE("bundles too deep are refused") {
     OscBytes packet = osc_message("/a", "", {});
     for (int i = 0; i < 8; ++i) {
