@@ -97,10 +97,15 @@ void OscInbox::take(std::span<const std::uint8_t> bytes, const Endpoint& from, d
         Sender& who = sender(from, arrival);
         follow_clock(who, packet, arrival);
         for (OscBundle& bundle : packet.bundles) {
+            if (std::erase_if(bundle.messages, [&](const auto& m) { return !affordable(m); }) > 0) {
+                complain("message from " + to_string(from) +
+                             " dropped: more new words than a patch can have use for",
+                         arrival);
+            }
             deliver(who, bundle);
         }
     } catch (const MalformedOsc& e) {
-        complain(e, from, arrival);
+        complain("malformed packet from " + to_string(from) + ": " + e.what(), arrival);
     }
 }
 
@@ -177,7 +182,15 @@ void OscInbox::deliver(Sender& sender, OscBundle& bundle) {
     }
 }
 
-void OscInbox::complain(const MalformedOsc& error, const Endpoint& from, double arrival) {
+bool OscInbox::affordable(const OscMessage& message) {
+    return words_.allows(message.address) &&
+           std::all_of(message.arguments.begin(), message.arguments.end(), [&](const auto& value) {
+               const auto* const word = std::get_if<std::string>(&value);
+               return !word || words_.allows(*word);
+           });
+}
+
+void OscInbox::complain(const std::string& text, double arrival) {
     ++counts_.malformed;
     if (arrival < complained_ + kComplaintsApart) {
         return;
@@ -185,7 +198,7 @@ void OscInbox::complain(const MalformedOsc& error, const Endpoint& from, double 
     complained_ = arrival;
     auto delivery = std::make_unique<Delivery>();
     delivery->serial = serial_++;
-    delivery->complaint = "malformed packet from " + to_string(from) + ": " + error.what();
+    delivery->complaint = text;
     deliver_(std::move(delivery));
 }
 

@@ -13,6 +13,8 @@
 // tenth of a second late is worth nothing: after a cable was out, none are rained down at once.
 // /started and /finished come several times too, and once for any one tag.
 //
+// What brings new words beyond those there is room for (WordBudget) is dropped and complained of.
+//
 // No thread, no clock: times are arguments, seconds of one monotonic clock. One thread at a time.
 #pragma once
 
@@ -29,6 +31,7 @@
 #include "core/timing/steady_line.hpp"
 #include "io/dns_sd.hpp"
 #include "io/osc_packet.hpp"
+#include "io/word_budget.hpp"
 
 namespace percussionist::io {
 
@@ -60,7 +63,7 @@ class OscInbox {
         double received = 0;   ///< packets
         double lost = 0;       ///< contacts that never came
         double repeated = 0;   ///< contacts dropped because they were heard before
-        double malformed = 0;  ///< packets
+        double malformed = 0;  ///< packets, and messages of too many new words
         double senders = 0;
         double offset = 0;     ///< this machine's monotonic clock less the sender's time tag [s]
         double rate = 0;       ///< how much faster the sender's clock runs
@@ -95,13 +98,15 @@ class OscInbox {
     Sender& sender(const Endpoint& from, double arrival);
     void follow_clock(Sender& sender, const OscPacket& packet, double arrival) const;
     void deliver(Sender& sender, OscBundle& bundle);
-    void complain(const MalformedOsc& error, const Endpoint& from, double arrival);
+    bool affordable(const OscMessage& message);
+    void complain(const std::string& text, double arrival);
 
     Deliver deliver_;
     std::vector<std::unique_ptr<Sender>> senders_;
     Status counts_;
     std::uint64_t serial_ = 0;
     double complained_ = -1e9;
+    WordBudget words_;
 };
 
 }  // namespace percussionist::io

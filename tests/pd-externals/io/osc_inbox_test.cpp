@@ -276,6 +276,22 @@ TEST_CASE("a crowd of strangers does not make a server unknown") {
     CHECK(box.inbox.status().senders == 16);
 }
 
+TEST_CASE("ever new words are let in up to a bound, and what was known before goes on") {
+    Box box;
+    box.inbox.take(osc_message("/known", "s", {osc_text("word")}), kServer, 0.0);
+    for (int i = 0; i < 400; ++i) {
+        const std::string word = std::to_string(i) + std::string(60000, 'x');
+        box.inbox.take(osc_message("/flood", "s", {osc_text(word)}), kServer, 1e-3 * i);
+    }
+    const std::size_t let_in = box.got.size();
+    CHECK(let_in * 60000 < WordBudget::kMostBytes + 60000);
+    CHECK(let_in > 100);
+    CHECK(box.complaints.size() == 1);
+    CHECK(box.complaints[0].find("new words") != std::string::npos);
+    box.inbox.take(osc_message("/known", "s", {osc_text("word")}), kServer, 2.0);
+    CHECK(box.got.size() == let_in + 1);
+}
+
 TEST_CASE("malformed packets are counted; one a second is told of") {
     Box box;
     for (int i = 0; i < 100; ++i) {
