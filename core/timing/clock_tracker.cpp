@@ -15,6 +15,9 @@ constexpr double kCaution = 4.0;        // blocks
 constexpr double kPatience = 0.35;      // [s]
 constexpr unsigned kLeastSuspects = 4;  // observations
 
+/// By so much the quickest way itself changes, as machines and networks are more or less busy.
+constexpr double kWander = 2e-5;  // [s]
+
 constexpr double kObservations = 200.0;  // that a mean goes back over
 /// Before so many observations how late they usually are is not known; this much is thought usual.
 constexpr unsigned kFewObservations = 32;
@@ -172,7 +175,9 @@ double ClockTracker::slope_error(double span) const noexcept {
     }
     const auto blocks = static_cast<double>(count_ + 1);
     const double single = 14.0 * lateness() / (per_block_ * blocks * span);
-    return blocks < kMemory ? single : std::min(single, 8.0 * least_late_ / (blocks * span));
+    const double chance =
+        blocks < kMemory ? single : std::min(single, 8.0 * least_late_ / (blocks * span));
+    return std::hypot(chance, kWander / span);
 }
 
 double ClockTracker::lateness() const noexcept {
