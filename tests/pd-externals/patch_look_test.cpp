@@ -1,0 +1,151 @@
+// How every patch looks, measured: what Pd would draw over something else, or outside the window.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "support/pd_patch.hpp"
+
+using namespace percussionist::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kRoot = PERCUSSIONIST_SOURCE_DIR;
+
+std::vector<fs::path> patches_in(const fs::path& folder) {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.path().extension() == ".pd") found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+std::vector<fs::path> all_patches() {
+    auto found = patches_in(kRoot / "help");
+    const auto played = patches_in(kRoot / "patches");
+    found.insert(found.end(), played.begin(), played.end());
+    return found;
+}
+
+std::vector<PdWindow> windows_of(const fs::path& patch) {
+    return read_pd_patch(patch, {kRoot / "patches"});
+}
+
+template <class Law>
+void for_each_window(Law law) {
+    for (const auto& patch : all_patches()) {
+        for (const auto& window : windows_of(patch)) {
+            CAPTURE(window.name);
+            law(window);
+        }
+    }
+}
+
+/// A patch that a person opens, not one of which others are made.
+bool is_page(const fs::path& patch) {
+    const auto folder = patch.parent_path();
+    const bool numbered = std::isdigit(patch.filename().string().front()) != 0;
+    return folder == kRoot / "help" || (folder == kRoot / "patches" && patch.stem() != "film" && patch.stem() != "preset") ||
+           (folder == kRoot / "patches/tour" && numbered);
+}
+
+}  // namespace
+
+TEST_CASE("nothing in a patch lies on something else, bands apart") {
+    for_each_window([](const PdWindow& window) {
+        if (window.picture) return;
+        const auto& boxes = window.boxes;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+                if (boxes[i].band() || boxes[j].band()) continue;
+                CAPTURE(boxes[i].text);
+                CAPTURE(boxes[j].text);
+                CHECK_FALSE(boxes[i].place.overlaps(boxes[j].place));
+            }
+        }
+    });
+}
+
+TEST_CASE("a window holds all that is in it") {
+    for_each_window([](const PdWindow& window) {
+        const Rect whole{0, 0, window.width, window.height};
+        for (const auto& box : window.boxes) {
+            if (window.picture) continue;
+            CAPTURE(box.text);
+            CAPTURE(box.place.right);
+            CAPTURE(box.place.bottom);
+            CHECK(box.place.within(whole));
+            CHECK(box.label.right <= window.width);
+        }
+    });
+}
+
+TEST_CASE("labels do not run into each other or out of their band") {
+    for_each_window([](const PdWindow& window) {
+        const auto& boxes = window.boxes;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            if (boxes[i].band() && boxes[i].label.right > 0) {
+                CAPTURE(boxes[i].text);
+                CHECK(boxes[i].label.right <= boxes[i].place.right);
+            }
+            for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+                CAPTURE(boxes[i].text);
+                CAPTURE(boxes[j].text);
+                CHECK_FALSE(boxes[i].label.overlaps(boxes[j].label));
+            }
+        }
+    });
+}
+
+TEST_CASE("a page begins with a band as wide as its window") {
+    for (const auto& patch : all_patches()) {
+        if (!is_page(patch)) continue;
+        CAPTURE(patch);
+        const auto page = windows_of(patch).back();
+        REQUIRE(!page.boxes.empty());
+        const auto band = std::find_if(page.boxes.begin(), page.boxes.end(),
+                                       [](const PdBox& box) { return box.band(); });
+        REQUIRE(band != page.boxes.end());
+        // At 0 0 its outline would be outside, and the window get scroll bars.
+        CHECK(band->place.left == 1);
+        CHECK(band->place.top == 1);
+        CHECK(band->place.right == page.width - 1);
+        CHECK(band->text.find("#305070") != std::string::npos);
+    }
+}
+
+TEST_CASE("cords join what is there, and what prints hears something") {
+    for_each_window([](const PdWindow& window) {
+        for (const auto& cord : window.connections) {
+            CHECK(cord.from < window.boxes.size());
+            CHECK(cord.to < window.boxes.size());
+        }
+        for (std::size_t i = 0; i < window.boxes.size(); ++i) {
+            const auto& box = window.boxes[i];
+            if (box.kind != "obj" || !(box.text == "print" || box.text.starts_with("print "))) {
+                continue;
+            }
+            CAPTURE(box.text);
+            CHECK(std::any_of(window.connections.begin(), window.connections.end(),
+                              [&](const PdConnection& cord) { return cord.to == i; }));
+        }
+    });
+}
+
+TEST_CASE("a patch names no folder of somebody's machine, and no number of its own opening") {
+    const std::regex folder("(^|[ ,])(/(home|root|usr|opt|mnt|media|work|Users)/|~/|[A-Z]:/)");
+    const std::regex unescaped("(^|[^\\\\])\\$0");
+    for_each_window([&](const PdWindow& window) {
+        for (const auto& box : window.boxes) {
+            CAPTURE(box.text);
+            CHECK_FALSE(std::regex_search(box.text, folder));
+            // $0 without its backslash is replaced when the file is read, and saved as a number.
+            CHECK_FALSE(std::regex_search(box.raw, unescaped));
+        }
+    });
+}
