@@ -50,7 +50,8 @@ void for_each_window(Law law) {
 bool is_page(const fs::path& patch) {
     const auto folder = patch.parent_path();
     const bool numbered = std::isdigit(patch.filename().string().front()) != 0;
-    return folder == kRoot / "help" || (folder == kRoot / "patches" && patch.stem() != "film" && patch.stem() != "preset") ||
+    return folder == kRoot / "help" ||
+           (folder == kRoot / "patches" && patch.stem() != "film" && patch.stem() != "preset") ||
            (folder == kRoot / "patches/tour" && numbered);
 }
 

@@ -90,7 +90,8 @@ std::pair<std::size_t, std::size_t> measure(const std::string& text, std::size_t
 
 Rect text_place(double x, double y, const PdBox& box, std::optional<std::size_t> given) {
     const auto [longest, lines] = measure(box.text, given.value_or(kLineLength));
-    const std::size_t columns = given.value_or(std::max<std::size_t>(longest, box.kind == "text" ? 1 : 3));
+    const std::size_t columns =
+        given.value_or(std::max<std::size_t>(longest, box.kind == "text" ? 1 : 3));
     const double right = x + static_cast<double>(columns) * kLetterWidth + 4;
     const double bottom = y + static_cast<double>(lines) * kLetterHeight + 5;
     if (box.kind == "text") return {x, y + 3, right, bottom - 2};
@@ -122,12 +123,13 @@ bool control_place(const Words& w, PdBox& box) {
     } else if (name == "hsl" || name == "vsl") {
         const bool flat = name == "hsl";
         const double wide = number(w, 5), high = number(w, 6);
-        box.place = flat ? Rect{x - 3, y, x + wide + 2, y + high}
-                         : Rect{x, y - 2, x + wide, y + high + 3};
+        box.place =
+            flat ? Rect{x - 3, y, x + wide + 2, y + high} : Rect{x, y - 2, x + wide, y + high + 3};
         box.label = label_place(x, y, w, 13);
     } else if (name == "hradio" || name == "vradio") {
         const double size = number(w, 5), all = size * number(w, 8);
-        box.place = name == "hradio" ? Rect{x, y, x + all, y + size} : Rect{x, y, x + size, y + all};
+        box.place =
+            name == "hradio" ? Rect{x, y, x + all, y + size} : Rect{x, y, x + size, y + all};
         box.label = label_place(x, y, w, 11);
     } else if (name == "nbx") {
         const double high = number(w, 6), font = number(w, 17);
@@ -173,8 +175,8 @@ class Reader {
         } else if (open_.empty()) {
             throw std::runtime_error(file_.string() + ": begins with no window");
         } else if (w[1] == "connect") {
-            open_.back().connections.push_back({static_cast<std::size_t>(number(w, 2)),
-                                                static_cast<std::size_t>(number(w, 4))});
+            open_.back().connections.push_back(
+                {static_cast<std::size_t>(number(w, 2)), static_cast<std::size_t>(number(w, 4))});
         } else if (w[1] == "coords") {
             PdWindow& window = open_.back();
             window.picture = number(w, 8) > 0;

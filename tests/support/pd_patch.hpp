@@ -1,8 +1,9 @@
 // A patch of Pd as a file: its windows, what is in each, and where Pd draws it.
 //
-// Sizes are those of Pd 0.53 with DejaVu Sans Mono at font size 12 (7 x 15 pixels a character): a box
-// is its text and 4 x 5 pixels around it, a line breaks after 60 characters or where ", f N" says; a
-// message has its flag besides, a comment no frame; a slider begins 3 pixels before its place, and ends 2 behind it.
+// Sizes are those of Pd 0.53 with DejaVu Sans Mono at font size 12 (7 x 15 pixels a character): a
+// box is its text and 4 x 5 pixels around it, a line breaks after 60 characters or where ", f N"
+// says; a message has its flag besides, a comment no frame; a slider begins 3 pixels before its
+// place, and ends 2 behind it.
 #pragma once
 
 #include <filesystem>
@@ -45,8 +46,8 @@ struct PdWindow {
     std::vector<PdConnection> connections;
 };
 
-/// All windows of a patch, the file's own last. Abstractions that are pictures are looked for beside
-/// it and in `folders`. Throws std::runtime_error for what is no patch.
+/// All windows of a patch, the file's own last. Abstractions that are pictures are looked for
+/// beside it and in `folders`. Throws std::runtime_error for what is no patch.
 std::vector<PdWindow> read_pd_patch(const std::filesystem::path& file,
                                     const std::vector<std::filesystem::path>& folders);
 
