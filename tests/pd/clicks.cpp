@@ -1,6 +1,6 @@
 // clicks PATCH: writes a list for Pd's qlist in which every message box of the patch and of its
-// subpatches is clicked once, in the order of the file, 50 ms apart; then Pd quits. Not those that
-// wait for a number, $1.
+// subpatches is clicked, in the order of the file and once more, 50 ms apart; then Pd quits. Not
+// those that wait for a number, $1.
 #include <iostream>
 #include <vector>
 
@@ -18,7 +18,10 @@ std::string receiver(const std::string& window) {
 
 int main(int count, char** arguments) try {
     if (count != 2) throw std::runtime_error("usage: clicks PATCH");
-    for (const auto& window : percussionist::test::read_pd_patch(arguments[1], {})) {
+    auto windows = percussionist::test::read_pd_patch(arguments[1], {});
+    const auto once = windows;
+    windows.insert(windows.end(), once.begin(), once.end());
+    for (const auto& window : windows) {
         const std::string name = receiver(window.name);
         std::cout << name << " vis 1;\n";  // Pd lets nobody click in a window that is shut
         for (const auto& box : window.boxes) {
