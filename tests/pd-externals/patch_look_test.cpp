@@ -153,3 +153,25 @@ TEST_CASE("a patch names no folder of somebody's machine, and no number of its o
         }
     });
 }
+
+TEST_CASE("each page of the tour says what to click first, and leads to its neighbours") {
+    std::vector<fs::path> pages;
+    for (const auto& patch : patches_in(kRoot / "patches/tour")) {
+        if (is_page(patch)) pages.push_back(patch);
+    }
+    REQUIRE(pages.size() == 10);
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        CAPTURE(pages[i]);
+        const auto boxes = windows_of(pages[i]).back().boxes;
+        const auto has = [&](const std::string& kind, const std::string& text) {
+            return std::any_of(boxes.begin(), boxes.end(), [&](const PdBox& box) {
+                return box.kind == kind && box.text.find(text) != std::string::npos;
+            });
+        };
+        CHECK(has("text", "Click this"));
+        CHECK(has("obj", " tour-first "));
+        const auto before = pages[(i + pages.size() - 1) % pages.size()].stem().string();
+        const auto next = pages[(i + 1) % pages.size()].stem().string();
+        CHECK(has("obj", "turn " + before + ' ' + next));
+    }
+}
