@@ -20,6 +20,9 @@ constexpr double kLeastPart = 0.12;    // and at least, when far is to go
 constexpr double kTopSpeed = 15.0;     // across [m/s]
 constexpr double kPeakOverMean = 1.5;
 constexpr double kTimeToClimb = 0.25;  // [s]
+constexpr double kHigher = 0.15;       // of UP, in each try to get over what lies between
+constexpr double kClear = 0.02;        // between tip and faces [m]
+constexpr int kLooks = 12;             // on the way
 constexpr double kTurn = 0.08;         // from after one stroke to before the next [s]
 constexpr double kLongPause = 1.6;     // between two strokes [s]
 constexpr double kHalfWay = 0.55;      // of the way to rest, in time
@@ -126,8 +129,30 @@ class Track {
         const double climb = way.z() / kit_.drummer.rise * std::min(1.0, gap / kTimeToClimb);
         const double lift = std::max(bounce(a), kTravelRise) * up / times_.rise;
         const double drop = std::max(raise(b), kTravelRise) * down / times_.fall;
-        add(from + up, KeyKind::after, raised(a, height(lift, climb)));
-        add(b.time - down, KeyKind::before, raised(b, height(drop, -climb)));
+        LimbPose off = raised(a, height(lift, climb));
+        LimbPose to = raised(b, height(drop, -climb));
+        for (double more = kHigher; more <= kHighest && !clears(off, to); more += kHigher) {
+            off = raised(a, std::min(height(lift, climb) + more, kHighest));
+            to = raised(b, std::min(height(drop, -climb) + more, kHighest));
+        }
+        add(from + up, KeyKind::after, std::move(off));
+        add(b.time - down, KeyKind::before, std::move(to));
+    }
+    /// Whether the tip, on its way from pose to pose, keeps off all faces and shells.
+    [[nodiscard]] bool clears(const LimbPose& from, const LimbPose& to) const {
+        for (int i = 1; i < kLooks; ++i) {
+            const Vector3 tip = poses_.tip(limb_, blend(from, to, static_cast<double>(i) / kLooks));
+            if (std::any_of(kit_.objects.begin(), kit_.objects.end(),
+                            [&](const score::KitObject& o) { return brushes(o, tip); })) {
+                return false;
+            }
+        }
+        return true;
+    }
+    static bool brushes(const score::KitObject& object, const Vector3& tip) {
+        const Vector3 there = object.orientation().conjugate() * (tip - object.middle);
+        return std::hypot(there.x(), there.y()) < object.radius + kClear && there.z() < kClear &&
+               there.z() > -std::max(object.depth, kClear);
     }
     static double height(double lift, double climb) {
         return std::min(std::max(lift, kLeastLift) + std::max(climb, 0.0), kHighest);

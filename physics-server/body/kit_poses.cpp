@@ -92,6 +92,15 @@ KitPoses::KitPoses(const Skeleton& skeleton, const score::Kit& kit)
     for (const score::PoseEdit& e : kit.poses) edit(e);
 }
 
+Vector3 KitPoses::tip(Limb hand, const LimbPose& pose) const {
+    Posture posture = seat_;
+    const std::vector<int>& segments = parts(hand).segments;
+    for (std::size_t j = 0; j < segments.size(); ++j) posture.joints[segments[j]] = pose[j];
+    Placement placement(skeleton_);
+    forward_kinematics(skeleton_, posture, placement);
+    return placement.tip(skeleton_, hand == Limb::left_hand ? Hand::left : Hand::right);
+}
+
 LimbPose KitPoses::taken(Limb limb, const Posture& posture) const {
     LimbPose pose;
     for (const int segment : parts(limb).segments) pose.push_back(posture.joints[segment]);

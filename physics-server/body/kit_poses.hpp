@@ -52,6 +52,8 @@ class KitPoses {
     [[nodiscard]] const LimbPose& above_rest(score::Limb limb) const {
         return above_rest_[index(limb)];
     }
+    /// Where the middle of the stick's tip is when a hand has this pose, world [m].
+    [[nodiscard]] Vector3 tip(score::Limb hand, const LimbPose& pose) const;
     /// Trunk, head and all: the others' joints are those of the poses.
     [[nodiscard]] const Posture& seat() const { return seat_; }
 
