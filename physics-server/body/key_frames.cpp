@@ -21,6 +21,7 @@ constexpr double kTopSpeed = 15.0;     // across [m/s]
 constexpr double kPeakOverMean = 1.5;
 constexpr double kTimeToClimb = 0.25;  // [s]
 constexpr double kHigher = 0.15;       // of UP, in each try to get over what lies between
+constexpr double kClimbSpeed = 1.5;    // up and down, for that [m/s]
 constexpr double kClear = 0.02;        // between tip and faces [m]
 constexpr int kLooks = 12;             // on the way
 constexpr double kTurn = 0.08;         // from after one stroke to before the next [s]
@@ -131,7 +132,8 @@ class Track {
         const double drop = std::max(raise(b), kTravelRise) * down / times_.fall;
         LimbPose off = raised(a, height(lift, climb));
         LimbPose to = raised(b, height(drop, -climb));
-        for (double more = kHigher; more <= kHighest && !clears(off, to); more += kHigher) {
+        const double most = kClimbSpeed * std::min(up, down) / kit_.drummer.rise;
+        for (double more = kHigher; more <= most && !clears(off, to); more += kHigher) {
             off = raised(a, std::min(height(lift, climb) + more, kHighest));
             to = raised(b, std::min(height(drop, -climb) + more, kHighest));
         }
