@@ -135,7 +135,7 @@ TEST_CASE("what holds no drums is given next to none") {
 }
 
 TEST_CASE("recordings of no length or hardly any are heard through") {
-    CHECK(transcribe({}, 44100.0, model()).strokes.empty());
+    CHECK(transcribe(std::vector<double>{}, 44100.0, model()).strokes.empty());
     const std::vector<double> one = {0.7};
     CHECK(transcribe(one, 48000.0, model()).strokes.size() <= 2);
     const std::vector<double> few(500, 0.1);
