@@ -18,7 +18,7 @@ constexpr double kMostGain = 100.0;
 constexpr std::size_t kTold = 500000;  ///< samples between reports of progress
 
 struct Level {
-    double square = 0.0;  ///< sum
+    double sum = 0.0, square = 0.0;
     std::size_t count = 0;
 
     void add(std::span<const double> piece) {
@@ -27,27 +27,35 @@ struct Level {
                 throw std::invalid_argument("listening: sample " + std::to_string(count) +
                                             ": expected a number, got NaN or infinity");
             }
+            sum += x;
             square += x * x;
             ++count;
         }
     }
+    /// What a recording stands off from 0 by.
+    [[nodiscard]] double offset() const {
+        return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+    }
     /// What brings a recording to the usual root mean square; not all the way for next to nothing.
     [[nodiscard]] double gain() const {
-        if (square == 0.0) return 1.0;
-        const double level = std::sqrt(square / static_cast<double>(count));
-        return std::min(kUsualLevel / level, kMostGain);
+        const double power = square / static_cast<double>(std::max<std::size_t>(count, 1));
+        const double level = std::sqrt(std::max(power - offset() * offset(), 0.0));
+        return level < kUsualLevel / kMostGain ? kMostGain : kUsualLevel / level;
     }
 };
 
 /// From pieces of any size to frames.
 class Framer {
   public:
-    Framer(BandAnalyser& analyser, double gain, std::size_t expected)
-        : analyser_(analyser), gain_(gain), block_(analyser.hop(), 0.0) {
+    Framer(BandAnalyser& analyser, const Level& level, std::size_t expected)
+        : analyser_(analyser),
+          offset_(level.offset()),
+          gain_(level.gain()),
+          block_(analyser.hop(), 0.0) {
         frames_.reserve(expected);
     }
     void take(double x) {
-        block_[filled_] = gain_ * x;
+        block_[filled_] = gain_ * (x - offset_);
         if (++filled_ == block_.size()) next();
     }
     /// Silence follows until the last sample has been seen.
@@ -66,7 +74,7 @@ class Framer {
         filled_ = 0;
     }
     BandAnalyser& analyser_;
-    double gain_;
+    double offset_, gain_;
     std::vector<double> block_;
     std::size_t filled_ = 0;
     std::vector<BandFrame> frames_;
@@ -91,7 +99,7 @@ Heard hear(const Playback& playback, double rate, const std::function<void(doubl
     playback([&](std::span<const double> piece) { level.add(piece); });
     heard.duration = static_cast<double>(level.count) / rate;
     const std::size_t count = (level.count + heard.hop - 1) / heard.hop + 1;
-    Framer framer(analyser, level.gain(), count);
+    Framer framer(analyser, level, count);
     std::size_t done = 0;
     playback([&](std::span<const double> piece) {
         for (const double x : piece) {
