@@ -19,9 +19,8 @@ using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
 constexpr auto kClasses = static_cast<Index>(kDrumClasses);
-constexpr std::size_t kLike = 6;  ///< attacks most like one, that are asked
-constexpr Eigen::Index kHearsBack =
-    1500;                            ///< attacks before and after, among which the alike are sought
+constexpr std::size_t kLike = 6;     ///< attacks most like one, that are asked
+constexpr Index kAmong = 1500;       ///< attacks before and after it
 constexpr float kStiffness = 0.15F;  ///< of the regression, per attack
 constexpr double kGrid = 0.01;       ///< of the rhythm [s]
 constexpr double kNear = 0.045;      ///< in time, still at the same place of the bar [s]
@@ -75,8 +74,8 @@ MatrixXf of_the_alike(const MatrixXf& sounds, const MatrixXf& chances) {
     std::vector<Index> order;
     VectorXf distance(count);
     for (Index i = 0; i < count; ++i) {
-        const Index first = std::max<Index>(i - kHearsBack, 0);
-        const Index size = std::min(i + kHearsBack + 1, count) - first;
+        const Index first = std::max<Index>(i - kAmong, 0);
+        const Index size = std::min(i + kAmong + 1, count) - first;
         distance.segment(first, size) =
             (sounds.middleCols(first, size).colwise() - sounds.col(i)).colwise().squaredNorm();
         order.resize(static_cast<std::size_t>(size));
@@ -155,12 +154,6 @@ class Rhythm {
     ArrayXXf pulses_;
 };
 
-/// The mean of what is told of each class, over where it is judged to be.
-VectorXf held_by(const MatrixXf& told, const MatrixXf& chances) {
-    return told.cwiseProduct(chances).rowwise().sum().array() /
-           (chances.rowwise().sum().array() + 0.5F);
-}
-
 float quantile(Eigen::RowVectorXf values, double part) {
     auto* nth = values.data() + static_cast<Index>(part * static_cast<double>(values.size() - 1));
     std::nth_element(values.data(), nth, values.data() + values.size());
@@ -189,11 +182,6 @@ Eigen::MatrixXf context_of(const Evidence& evidence, const Judgement& first) {
     context.middleRows(2 * kClasses, kClasses) = of_the_alike(sounds, chances);
     context.middleRows(3 * kClasses, kClasses) = rhythm.around(rhythm.best_lag(0.25, 0.9));
     context.middleRows(4 * kClasses, kClasses) = rhythm.around(rhythm.best_lag(0.9, 4.0));
-    const MatrixXf alike = context.middleRows(2 * kClasses, kClasses);
-    const MatrixXf in_time = 0.5F * (context.middleRows(3 * kClasses, kClasses) +
-                                     context.middleRows(4 * kClasses, kClasses));
-    context.middleRows(9 * kClasses, kClasses).colwise() = held_by(alike, chances);
-    context.middleRows(10 * kClasses, kClasses).colwise() = held_by(in_time, chances);
     const VectorXf usual = chances.rowwise().mean();
     for (Index i = 0; i < count; ++i) {
         const Index before = std::max<Index>(i - 1, 0);
@@ -202,11 +190,11 @@ Eigen::MatrixXf context_of(const Evidence& evidence, const Judgement& first) {
         context.col(i).segment(5 * kClasses, kClasses) = chances.col(before);
         context.col(i).segment(6 * kClasses, kClasses) = chances.col(after);
         context.col(i).segment(7 * kClasses, kClasses) = usual;
-        context(11 * kClasses, i) = static_cast<float>(
+        context(9 * kClasses, i) = static_cast<float>(
             std::min(times[n] - times[static_cast<std::size_t>(before)], kLongestGap));
-        context(11 * kClasses + 1, i) = static_cast<float>(
+        context(9 * kClasses + 1, i) = static_cast<float>(
             std::min(times[static_cast<std::size_t>(after)] - times[n], kLongestGap));
-        context(11 * kClasses + 2, i) = evidence.strengths[n];
+        context(9 * kClasses + 2, i) = evidence.strengths[n];
     }
     for (Index k = 0; k < kClasses; ++k)
         context.row(8 * kClasses + k).setConstant(quantile(odds.row(k), 0.95));

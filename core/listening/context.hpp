@@ -7,9 +7,7 @@
 //     attacks sound like, in this recording alone; a stroke that sounds like the sure ones gains;
 //   - what the attacks most like it are, by the spectrum that they add;
 //   - what stands a beat and a bar before and after, at the lags at which the judgements repeat;
-//   - the attacks right before and after, and how common each class is here;
-//   - how much, in the whole recording, what is judged one class sounds alike and comes back in
-//     time: strokes do, the hisses and stops of speech do not.
+//   - the attacks right before and after, and how common each class is here.
 // A second network, learnt on practice pieces as the first one is, weighs all that.
 #pragma once
 
@@ -22,7 +20,7 @@
 
 namespace percussionist::listening {
 
-constexpr std::size_t kContext = 11 * kDrumClasses + 3;
+constexpr std::size_t kContext = 9 * kDrumClasses + 3;
 
 /// A column of kContext numbers for each attack.
 Eigen::MatrixXf context_of(const Evidence& evidence, const Judgement& first);
