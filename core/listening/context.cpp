@@ -20,6 +20,7 @@ using Eigen::VectorXf;
 
 constexpr auto kClasses = static_cast<Index>(kDrumClasses);
 constexpr std::size_t kLike = 6;     ///< attacks most like one, that are asked
+constexpr Index kAmong = 1500;       ///< attacks before and after it
 constexpr float kStiffness = 0.15F;  ///< of the regression, per attack
 constexpr double kGrid = 0.01;       ///< of the rhythm [s]
 constexpr double kNear = 0.045;      ///< in time, still at the same place of the bar [s]
@@ -70,10 +71,15 @@ MatrixXf explained(const MatrixXf& sounds, const MatrixXf& chances) {
 MatrixXf of_the_alike(const MatrixXf& sounds, const MatrixXf& chances) {
     const Index count = sounds.cols();
     MatrixXf mean = MatrixXf::Zero(kClasses, count);
-    std::vector<Index> order(static_cast<std::size_t>(count));
+    std::vector<Index> order;
+    VectorXf distance(count);
     for (Index i = 0; i < count; ++i) {
-        const VectorXf distance = (sounds.colwise() - sounds.col(i)).colwise().squaredNorm();
-        std::iota(order.begin(), order.end(), 0);
+        const Index first = std::max<Index>(i - kAmong, 0);
+        const Index size = std::min(i + kAmong + 1, count) - first;
+        distance.segment(first, size) =
+            (sounds.middleCols(first, size).colwise() - sounds.col(i)).colwise().squaredNorm();
+        order.resize(static_cast<std::size_t>(size));
+        std::iota(order.begin(), order.end(), first);
         const std::size_t asked = std::min(kLike + 1, order.size());
         std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(asked),
                           order.end(), [&](Index a, Index b) {

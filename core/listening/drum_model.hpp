@@ -5,7 +5,8 @@
 //   second  what the recording says of it (context.hpp) -> the same, as surely as can be
 //
 // Outputs are logarithms of odds in the order of DrumClass, but for closed_hat, which stands for
-// any hat: open_hat then tells which.
+// any hat: open_hat then tells which. So does ride for any cymbal that rings, and crash tells
+// which.
 //
 // As text a model is a list of quoted lines, so that the compiler can take it in as it is: the
 // model the project comes with is learnt_drums.inc, which `percussionist learn-drums` makes.

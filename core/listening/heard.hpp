@@ -13,6 +13,7 @@ namespace percussionist::listening {
 
 struct Heard {
     double rate = 44100.0;  ///< [Hz]
+    double duration = 0.0;  ///< [s]
     std::size_t hop = 220;  ///< samples from frame to frame
     std::vector<BandFrame> frames;
     Hearing hearing;
@@ -20,10 +21,15 @@ struct Heard {
     std::vector<Attack> attacks;
 };
 
-/// Mono, full scale being 1. Throws std::invalid_argument for a rate that it cannot hear at.
-/// progress(share done) is called now and then.
-Heard hear(std::span<const double> signal, double rate,
-           const std::function<void(double)>& progress = {});
+/// Plays a whole recording, mono, full scale being 1, to the one who takes its pieces; from the
+/// beginning each time it is called. So a recording need not fit in memory.
+using Playback = std::function<void(const std::function<void(std::span<const double>)>& take)>;
+/// Of what is in memory; it has to stay there.
+Playback playback_of(std::span<const double> signal);
+
+/// Throws std::invalid_argument for a rate that it cannot hear at and for samples that are no
+/// numbers. progress(share done) is called now and then.
+Heard hear(const Playback& playback, double rate, const std::function<void(double)>& progress = {});
 
 /// Seconds from the first sample to where a listener puts the stroke whose rise is around a frame.
 double time_of(double frame, std::size_t hop, double rate);

@@ -22,9 +22,12 @@ Verdicts verdicts(const Odds& odds) noexcept {
     Verdicts all;
     for (std::size_t c = 0; c < kDrumClasses; ++c) {
         auto drum = static_cast<DrumClass>(c);
-        if (odds[c] < 0.0F || drum == DrumClass::open_hat) continue;
+        if (odds[c] < 0.0F || drum == DrumClass::open_hat || drum == DrumClass::crash) continue;
         if (drum == DrumClass::closed_hat && odds[index(DrumClass::open_hat)] >= 0.0F) {
             drum = DrumClass::open_hat;
+        }
+        if (drum == DrumClass::ride && odds[index(DrumClass::crash)] >= 0.0F) {
+            drum = DrumClass::crash;
         }
         all.add({drum, 1.0 / (1.0 + std::exp(-static_cast<double>(odds[c])))});
     }

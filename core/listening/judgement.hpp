@@ -37,7 +37,8 @@ class Verdicts {
     std::size_t count_ = 0;
 };
 
-/// Of log odds less their thresholds; a hat is either closed or open. Does not allocate.
+/// Of log odds less their thresholds; a hat is either closed or open, a cymbal
+/// that rings a crash or a ride. Does not allocate.
 Verdicts verdicts(const Odds& odds) noexcept;
 
 }  // namespace percussionist::listening

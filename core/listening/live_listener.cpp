@@ -16,6 +16,8 @@ constexpr std::ptrdiff_t kRise = 4;  ///< frames within which an attack is steep
 constexpr float kLoudFades = 0.05F;  ///< of what counts as loud, a stroke [nats]
 constexpr float kFirstLoud = 1.5F;   ///< the first stroke may be so much below loud [nats]
 constexpr float kUnheard = -1000.0F;
+constexpr float kEcho = 3.5F;   ///< below the loudest an attack is no stroke to learn from [nats]
+constexpr float kFaint = 5.5F;  ///< below it an attack is no stroke of that drum: 24 dB [nats]
 
 float nats(float decibels) {
     return decibels * 0.2302585F;
@@ -113,11 +115,14 @@ void LiveListener::judge_own(double time) noexcept {
     const StrokePrint print = print_of(frames_, at);
     const float power = added_power(frames_, at, DrumClass::other);
     if (left_to_learn_ > 0) {
-        own_[learning_].learn(print, power);
+        OwnDrum& drum = own_[learning_];
+        if (drum.strokes > 0 && power < drum.loudest - kEcho) return;
+        drum.learn(print, power);
         --left_to_learn_;
         return;
     }
-    if (const auto match = own_.nearest(print)) {
+    const auto match = own_.nearest(print);
+    if (match && power > own_[match->drum].loudest - kFaint) {
         tell({.kind = LiveEvent::Kind::own_drum,
               .time = time,
               .own = match->drum,

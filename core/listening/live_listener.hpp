@@ -61,7 +61,8 @@ class LiveListener {
         }
     }
 
-    /// The next attacks are strokes of this drum: learns it from `strokes` of them.
+    /// The next attacks are strokes of this drum: learns it from `strokes` of them. What is far
+    /// softer than the loudest of them is an echo of it.
     void learn(std::size_t own, int strokes) noexcept;
     [[nodiscard]] bool learning() const { return left_to_learn_ > 0; }
     [[nodiscard]] const OwnDrums& own_drums() const { return own_; }

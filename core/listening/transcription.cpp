@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "core/listening/context.hpp"
 #include "core/listening/judgement.hpp"
@@ -13,23 +11,18 @@ namespace percussionist::listening {
 
 namespace {
 
-constexpr double kShareOfHearing = 0.9;  ///< of the time it takes
-constexpr double kEcho = 0.04;           ///< one drum is not struck twice within [s]
-constexpr double kTogether = 0.03;       ///< two strokes within are one moment [s]
-constexpr std::size_t kEnough = 8;       ///< strokes to judge a time keeper by
-constexpr double kAloneAtLeast = 0.05;   ///< of them with neither kick, snare nor tom
-constexpr double kSure = 0.85;           ///< confidence
+constexpr double kShareOfHearing = 0.9;    ///< of the time it takes
+constexpr double kEcho = 0.04;             ///< one drum is not struck twice within [s]
+constexpr double kTogether = 0.03;         ///< two strokes within are one moment [s]
+constexpr std::size_t kEnough = 8;         ///< strokes to judge a time keeper by
+constexpr double kAloneAtLeast = 0.05;     ///< of them with neither kick, snare nor tom
+constexpr double kSure = 0.85;             ///< confidence
+constexpr double kSurest = 0.92;           ///< confidence asked for where next to nothing is a drum
+constexpr double kGoodPart = 0.75;         ///< of all confidences is below what is called sure
+constexpr double kUsualConfidence = 0.78;  ///< of what is none, taken for a drum
+constexpr double kCountsFor = 2.0;         ///< a higher confidence, against a share of attacks
 constexpr double kUsualVelocity = 0.75;
 constexpr double kLoudPart = 0.8;  ///< of a drum's strokes are softer than a loud one
-
-void check(std::span<const double> signal) {
-    for (std::size_t n = 0; n < signal.size(); ++n) {
-        if (!std::isfinite(signal[n])) {
-            throw std::invalid_argument("listening: sample " + std::to_string(n) +
-                                        ": expected a number, got NaN or infinity");
-        }
-    }
-}
 
 bool same_drum(DrumClass a, DrumClass b) {
     const auto hat = [](DrumClass d) {
@@ -56,6 +49,14 @@ void leave_out_echoes(std::vector<DrumStroke>& strokes) {
     strokes = std::move(kept);
 }
 
+double quantile(std::vector<double> values, double part) {
+    if (values.empty()) return 0.0;
+    const auto nth =
+        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), nth, values.end());
+    return *nth;
+}
+
 /// From logarithms of power to velocities, each drum against its own loud strokes.
 void powers_to_velocities(std::vector<DrumStroke>& strokes) {
     for (std::size_t c = 0; c < kDrumClasses; ++c) {
@@ -63,15 +64,30 @@ void powers_to_velocities(std::vector<DrumStroke>& strokes) {
         for (const DrumStroke& s : strokes) {
             if (index(s.drum) == c) powers.push_back(s.velocity);
         }
-        if (powers.empty()) continue;
-        const auto nth = powers.begin() + static_cast<std::ptrdiff_t>(
-                                              kLoudPart * static_cast<double>(powers.size() - 1));
-        std::nth_element(powers.begin(), nth, powers.end());
+        const double loud = quantile(powers, kLoudPart);
         for (DrumStroke& s : strokes) {
             if (index(s.drum) == c)
-                s.velocity = velocity_of(static_cast<float>(s.velocity), static_cast<float>(*nth));
+                s.velocity = velocity_of(static_cast<float>(s.velocity), static_cast<float>(loud));
         }
     }
+}
+
+/// Where somebody drums, many of the attacks are drums, or a good part of them surely so. The less
+/// that holds, the more likely are the few a voice's hisses and a guitar's picks that happen to
+/// sound like one, and the surer each has to be.
+void doubt_the_few(std::size_t attacks, std::vector<DrumStroke>& strokes) {
+    double moments = 0.0;
+    double last = -1.0;
+    std::vector<double> confidences;
+    for (const DrumStroke& stroke : strokes) {
+        if (stroke.time > last + kTogether) ++moments;
+        last = stroke.time;
+        confidences.push_back(stroke.confidence);
+    }
+    const double share = moments / static_cast<double>(std::max<std::size_t>(attacks, 1));
+    const double sure = std::max(0.0, quantile(confidences, kGoodPart) - kUsualConfidence);
+    const double asked = kSurest - share - kCountsFor * sure;
+    std::erase_if(strokes, [&](const DrumStroke& s) { return s.confidence < asked; });
 }
 
 /// Who keeps time on a hat or a ride strikes it between the other drums too. One that is only ever
@@ -121,11 +137,15 @@ void cover_what_is_drowned(std::vector<DrumStroke>& strokes) {
 
 Transcription transcribe(std::span<const double> signal, double rate, const DrumModel& model,
                          const std::function<void(double)>& progress) {
-    check(signal);
+    return transcribe(playback_of(signal), rate, model, progress);
+}
+
+Transcription transcribe(const Playback& playback, double rate, const DrumModel& model,
+                         const std::function<void(double)>& progress) {
     const auto hearing = [&](double done) {
         if (progress) progress(kShareOfHearing * done);
     };
-    Transcription made{.heard = hear(signal, rate, hearing), .strokes = {}};
+    Transcription made{.heard = hear(playback, rate, hearing), .strokes = {}};
     const Evidence evidence = evidence_of(made.heard);
     DrumModel judge = model;
     const Judgement first = judge_all(judge.first, evidence.features);
@@ -148,6 +168,7 @@ Transcription transcribe(std::span<const double> signal, double rate, const Drum
         }
     }
     leave_out_echoes(made.strokes);
+    doubt_the_few(evidence.times.size(), made.strokes);
     doubt_time_keepers(DrumClass::closed_hat, made.strokes);
     doubt_time_keepers(DrumClass::ride, made.strokes);
     powers_to_velocities(made.strokes);

@@ -28,8 +28,11 @@ struct Transcription {
     std::vector<DrumStroke> strokes;  ///< in order of time
 };
 
-/// Mono, full scale being 1. Throws std::invalid_argument for a rate that it cannot hear at or
+/// Throws std::invalid_argument for a rate that it cannot hear at or
 /// samples that are no numbers. progress(share done) is called now and then.
+Transcription transcribe(const Playback& playback, double rate, const DrumModel& model,
+                         const std::function<void(double)>& progress = {});
+/// Of what is in memory: mono, full scale being 1.
 Transcription transcribe(std::span<const double> signal, double rate, const DrumModel& model,
                          const std::function<void(double)>& progress = {});
 

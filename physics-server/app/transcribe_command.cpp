@@ -53,18 +53,19 @@ void transcribe(TranscribeOptions options) {
     if (options.csv.empty())
         options.csv = std::filesystem::path(options.midi).replace_extension(".csv");
     const listening::DrumModel model = model_of(options.model);
-    const files::Audio audio = files::read_audio(options.recording);
+    const double rate = files::rate_of(options.recording);
+    const auto playback = [&](const auto& take) { files::play_mono(options.recording, take); };
     const std::string name = options.recording.filename().string();
     Progress progress("listening to " + name);
     const listening::Transcription made = [&] {
         try {
-            return listening::transcribe(files::mono(audio), audio.rate, model, progress.teller());
+            return listening::transcribe(playback, rate, model, progress.teller());
         } catch (const std::invalid_argument& error) {
             throw std::runtime_error(options.recording.string() + ": " + error.what());
         }
     }();
     progress.done();
-    const double duration = static_cast<double>(audio.samples.size()) / audio.channels / audio.rate;
+    const double duration = made.heard.duration;
     const listening::Beats beats = listening::find_beats(made.strokes, duration);
     files::write_midi_file(options.midi, to_midi(made, beats, name));
     files::write_text(options.csv, to_csv(made));

@@ -26,31 +26,67 @@ File open(const std::filesystem::path& path, int mode, SF_INFO& info) {
     return file;
 }
 
-}  // namespace
-
-Audio read_audio(const std::filesystem::path& path) {
-    SF_INFO info{};
-    const File file = open(path, SFM_READ, info);
-    if (info.frames < 0 || info.frames > kMostSamples / info.channels) {
-        throw AudioError(path.string() + ": expected at most 500 million samples, found " +
-                         std::to_string(info.frames) + " frames");
+void refuse_longer(const std::filesystem::path& path, const SF_INFO& info, sf_count_t most_frames) {
+    if (info.frames < 0 || info.frames > most_frames) {
+        throw AudioError(path.string() + ": expected at most " + std::to_string(most_frames) +
+                         " frames, found " + std::to_string(info.frames));
     }
-    Audio audio;
-    audio.rate = info.samplerate;
-    audio.channels = info.channels;
+}
+
+template <class Take>
+void read_pieces(const std::filesystem::path& path, SNDFILE* file, const SF_INFO& info, Take take) {
     // In pieces, so that a header that promises too much, frames or channels, takes no memory for
     // it.
     const sf_count_t frames = std::max<sf_count_t>(1, 65536 / info.channels);
     std::vector<double> piece(static_cast<std::size_t>(frames * info.channels));
     for (sf_count_t got = 1; got > 0;) {
-        got = sf_readf_double(file.get(), piece.data(), frames);
-        audio.samples.insert(audio.samples.end(), piece.begin(),
-                             piece.begin() + got * info.channels);
+        got = sf_readf_double(file, piece.data(), frames);
+        take(std::span<const double>(piece).first(static_cast<std::size_t>(got * info.channels)));
     }
-    if (sf_error(file.get()) != SF_ERR_NO_ERROR) {
-        throw AudioError(path.string() + ": " + sf_strerror(file.get()));
+    if (sf_error(file) != SF_ERR_NO_ERROR) {
+        throw AudioError(path.string() + ": " + sf_strerror(file));
     }
+}
+
+/// The mean of the channels of each frame.
+void mix(std::span<const double> frames, std::size_t channels, std::vector<double>& mean) {
+    mean.resize(frames.size() / channels);
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+        double sum = 0.0;
+        for (std::size_t c = 0; c < channels; ++c) sum += frames[i * channels + c];
+        mean[i] = sum / static_cast<double>(channels);
+    }
+}
+
+}  // namespace
+
+Audio read_audio(const std::filesystem::path& path) {
+    SF_INFO info{};
+    const File file = open(path, SFM_READ, info);
+    refuse_longer(path, info, kMostSamples / info.channels);
+    Audio audio{.rate = info.samplerate, .channels = info.channels, .samples = {}};
+    read_pieces(path, file.get(), info, [&](std::span<const double> piece) {
+        audio.samples.insert(audio.samples.end(), piece.begin(), piece.end());
+    });
     return audio;
+}
+
+int rate_of(const std::filesystem::path& path) {
+    SF_INFO info{};
+    const File file = open(path, SFM_READ, info);
+    return info.samplerate;
+}
+
+void play_mono(const std::filesystem::path& path,
+               const std::function<void(std::span<const double>)>& take) {
+    SF_INFO info{};
+    const File file = open(path, SFM_READ, info);
+    refuse_longer(path, info, kMostSamples);
+    std::vector<double> mean;
+    read_pieces(path, file.get(), info, [&](std::span<const double> piece) {
+        mix(piece, static_cast<std::size_t>(info.channels), mean);
+        take(mean);
+    });
 }
 
 void write_wav(const std::filesystem::path& path, const Audio& audio, SampleFormat format) {
@@ -76,15 +112,8 @@ void write_wav(const std::filesystem::path& path, const Audio& audio, SampleForm
 }
 
 std::vector<double> mono(const Audio& audio) {
-    const auto channels = static_cast<std::size_t>(audio.channels);
-    std::vector<double> mean(audio.samples.size() / channels);
-    for (std::size_t i = 0; i < mean.size(); ++i) {
-        double sum = 0.0;
-        for (std::size_t c = 0; c < channels; ++c) {
-            sum += audio.samples[i * channels + c];
-        }
-        mean[i] = sum / static_cast<double>(channels);
-    }
+    std::vector<double> mean;
+    mix(audio.samples, static_cast<std::size_t>(audio.channels), mean);
     return mean;
 }
 

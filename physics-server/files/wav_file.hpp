@@ -4,6 +4,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -24,6 +26,13 @@ enum class SampleFormat { pcm16, float32 };
 
 /// Throws AudioError for what cannot be opened or understood.
 Audio read_audio(const std::filesystem::path& path);
+
+/// The rate of a file [Hz]. Throws as read_audio() does.
+int rate_of(const std::filesystem::path& path);
+/// The mean of a file's channels, piece after piece, however long it is. Throws as read_audio()
+/// does.
+void play_mono(const std::filesystem::path& path,
+               const std::function<void(std::span<const double>)>& take);
 
 /// Beyond full scale 16-bit samples are clipped. Throws AudioError.
 void write_wav(const std::filesystem::path& path, const Audio& audio,

@@ -25,7 +25,11 @@ class Drummer {
           swung_(dice.chance(0.25)),
           per_beat_(swung_ ? 3 : 4),
           looseness_(dice.log_uniform(0.001, 0.012)),
-          dynamics_(dice.uniform(0.02, 0.15)) {
+          dynamics_(dice.uniform(0.02, 0.15)),
+          phrase_(dice.chance(0.15)  ? 1
+                  : dice.chance(0.4) ? 2
+                                     : 4),
+          crashing_(dice.uniform(0.1, 0.9)) {
         time_keeping();
         kick();
         snare();
@@ -39,10 +43,12 @@ class Drummer {
         for (double at = dice_.uniform(0.0, 0.4); at < duration; at += bar) {
             ++count;
             if (count > 1 && dice_.chance(0.04)) continue;  // a break
-            const bool fills = count % 4 == 0 && dice_.chance(0.5);
-            play_bar(at, fills ? place_of_fill() : places());
-            if (fills) fill(at, place_of_fill());
-            if (count % 4 == 1 && dice_.chance(0.4)) hit(at, 0, crash_, 0.9);
+            const bool fills = count % phrase_ == 0 && dice_.chance(0.6);
+            const bool crashes = count % phrase_ == 1 % phrase_ && dice_.chance(crashing_);
+            const std::size_t end = fills ? place_of_fill() : places();
+            play_bar(at, end, crashes);
+            fill(at, end);
+            if (crashes) hit(at, 0, crash_, 0.9);
             if (dice_.chance(0.1)) change_hands();
         }
         std::erase_if(groove_.strokes,
@@ -62,6 +68,10 @@ class Drummer {
         return places() - static_cast<std::size_t>(per_beat_) * (dice_.chance(0.3) ? 2 : 1);
     }
 
+    static bool keeps_time(Piece piece) {
+        return piece == Piece::closed_hat || piece == Piece::open_hat || piece == Piece::ride;
+    }
+
     Line& line(Piece piece) {
         lines_.push_back(
             {piece, std::vector<double>(places(), 0.0), std::vector<double>(places(), 0.8)});
@@ -73,9 +83,12 @@ class Drummer {
     }
 
     void time_keeping() {
-        const std::array<Piece, 3> hands = {Piece::closed_hat, Piece::ride, Piece::open_hat};
+        const std::array<Piece, 5> hands = {Piece::closed_hat, Piece::ride, Piece::open_hat,
+                                            Piece::low_tom, Piece::crash};
+        const std::array<double, 5> likely = {0.6, 0.87, 0.93, 0.97, 1.0};
         const double which = dice_.uniform();
-        Line& keeping = line(hands[which < 0.68 ? 0 : which < 0.92 ? 1 : 2]);
+        Line& keeping = line(hands[static_cast<std::size_t>(
+            std::upper_bound(likely.begin(), likely.end() - 1, which) - likely.begin())]);
         const auto step = static_cast<std::size_t>(per_beat_);
         const double style = dice_.uniform();
         const double accent = dice_.uniform(0.75, 0.95);
@@ -176,10 +189,12 @@ class Drummer {
         }
     }
 
-    void play_bar(double at, std::size_t until) {
+    /// The hand that crashes on the first beat leaves out there what it keeps time on.
+    void play_bar(double at, std::size_t until, bool crashes) {
         for (const Line& line : lines_) {
             for (std::size_t place = 0; place < until; ++place) {
                 if (!dice_.chance(line.chance[place])) continue;
+                if (crashes && place == 0 && keeps_time(line.piece)) continue;
                 const bool opens =
                     line.piece == Piece::closed_hat && place == opening_ && dice_.chance(0.7);
                 hit(at, place, opens ? Piece::open_hat : line.piece, line.velocity[place]);
@@ -219,6 +234,8 @@ class Drummer {
     bool swung_;
     int per_beat_;
     double looseness_, dynamics_;
+    int phrase_;       ///< bars, at whose ends are fills and at whose beginnings crashes
+    double crashing_;  ///< how likely those are
     std::size_t opening_ = 1000;
     Piece crash_ = Piece::crash;
     double chaos_ = 0.0;

@@ -71,9 +71,9 @@ Kit::Kit(double rate, Dice& dice) : rate_(rate) {
     set(Piece::bell, ride(dice, true), rides, rides + 4.0);
     set(Piece::crash, crash(dice), -16.0, -3.0);
     set(Piece::second_crash, crash(dice), -18.0, -5.0);
-    const double lowest = dice.log_uniform(65.0, 120.0);
+    const double lowest = dice.log_uniform(58.0, 120.0);
     const double step = dice.uniform(1.2, 1.5);
-    const double t60 = dice.log_uniform(0.2, 1.0);
+    const double t60 = dice.log_uniform(0.2, 1.6);
     const double bend = dice.uniform(1.0, 1.3);
     const double slope = dice.uniform(1.0, 5.0);
     const double stick = dice.uniform(-24.0, -4.0);

@@ -9,13 +9,16 @@
 #include "core/listening/practice/biquad.hpp"
 #include "core/listening/practice/groove.hpp"
 #include "core/listening/practice/kit.hpp"
+#include "core/listening/practice/speech.hpp"
 #include "core/listening/practice/studio.hpp"
 
 namespace percussionist::listening::practice {
 
 namespace {
 
-constexpr double kUndrummed = 0.06;  ///< of pieces have no drums at all
+constexpr double kUndrummed = 0.16;  ///< of pieces have no drums at all
+constexpr double kSpoken = 0.5;      ///< of those are somebody who speaks
+constexpr double kSpokenOver = 0.1;  ///< of the others are spoken over
 constexpr double kNoisy = 0.06;      ///< are noise above all
 constexpr double kChoke = 0.01;      ///< in which a hat that closes falls silent [s]
 
@@ -81,6 +84,14 @@ void add_ground(std::vector<double>& signal, double rate, Dice& dice) {
         x += hiss * dice.uniform(-1.0, 1.0) + 6.0 * rumble * low(dice.uniform(-1.0, 1.0));
 }
 
+void speak_over(std::vector<double>& signal, double rate, Dice& dice) {
+    std::vector<double> voice = speech(signal.size(), rate, dice);
+    normalise(voice);
+    normalise(signal);
+    const double level = std::pow(10.0, dice.uniform(-6.0, 12.0) / 20.0);
+    for (std::size_t n = 0; n < signal.size(); ++n) signal[n] += level * voice[n];
+}
+
 }  // namespace
 
 PieceOfMusic piece_of_music(std::uint64_t seed, double duration) {
@@ -89,6 +100,7 @@ PieceOfMusic piece_of_music(std::uint64_t seed, double duration) {
     const auto samples = static_cast<std::size_t>(duration * piece.rate);
     Groove groove = throw_groove(duration, dice);
     const bool undrummed = dice.chance(kUndrummed);
+    const bool spoken = undrummed && dice.chance(kSpoken);
     if (undrummed) groove.strokes.clear();
     piece.beat = groove.beat;
     piece.beats = groove.beats;
@@ -102,7 +114,9 @@ PieceOfMusic piece_of_music(std::uint64_t seed, double duration) {
     normalise(piece.signal);
     piece.alone = dice.chance(0.35) && !undrummed;
     if (!piece.alone) {
-        std::vector<double> others = accompaniment(groove, samples, piece.rate, dice);
+        std::vector<double> others = spoken ? speech(samples, piece.rate, dice)
+                                            : accompaniment(groove, samples, piece.rate, dice);
+        if (!spoken && dice.chance(kSpokenOver)) speak_over(others, piece.rate, dice);
         if (dice.chance(0.5)) add_room(others, piece.rate, dice);
         normalise(others);
         const double level = std::pow(10.0, dice.uniform(-14.0, 6.0) / 20.0);

@@ -146,10 +146,10 @@ Recipe HatMaker::operator()(double t60, double rise, Dice& dice) const {
 
 Recipe ride(Dice& dice, bool bell) {
     Recipe made;
-    const double long_ring = dice.log_uniform(0.8, 3.0);
-    add_metal(50, dice.log_uniform(250.0, 900.0), 14000.0, long_ring, 0.6 * long_ring,
+    const double long_ring = dice.log_uniform(0.4, 3.0);
+    add_metal(50, dice.log_uniform(250.0, 3000.0), 14000.0, long_ring, 0.6 * long_ring,
               dice.uniform(-10.0, 0.0), dice, made);
-    made.hisses.push_back({dice.log_uniform(1000.0, 5000.0), 16000.0, db(dice.uniform(-20.0, -4.0)),
+    made.hisses.push_back({dice.log_uniform(1000.0, 5000.0), 16000.0, db(dice.uniform(-20.0, 3.0)),
                            0.002, 0.0, dice.log_uniform(0.3, 1.5)});
     made.hisses.push_back({1500.0, dice.log_uniform(6000.0, 15000.0), db(dice.uniform(-8.0, 8.0)),
                            0.0, 0.0, dice.log_uniform(0.008, 0.05)});

@@ -110,6 +110,25 @@ TEST_CASE("drums learnt from four strokes each are told apart, and a drum not le
     CHECK(own(listen(listener, kicks, 48000.0, 64)) == 6);
 }
 
+TEST_CASE("an echo far softer than the stroke is not learnt as one, nor told as that drum") {
+    LiveListener listener({}, learnt_drums());
+    OwnDrums drums;
+    const std::size_t kick = *drums.named("kick");
+    listener.set_own_drums(drums);
+    listener.learn(kick, 3);
+    const auto once = strokes(48000.0, 10);
+    auto echoed = once;
+    for (std::size_t n = 7200; n < echoed.size(); ++n) echoed[n] += 0.03F * once[n - 7200];
+    int told_own = 0;
+    for (int stroke = 0; stroke < 5; ++stroke) {
+        for (const Told& t :
+             listen(listener, {echoed.begin(), echoed.begin() + 43200}, 48000.0, 64))
+            told_own += t.event.kind == LiveEvent::Kind::own_drum ? 1 : 0;
+    }
+    CHECK(listener.own_drums()[kick].strokes == 3);
+    CHECK(told_own == 2);
+}
+
 TEST_CASE("silence and what is no number do no harm") {
     LiveListener listener({}, learnt_drums());
     CHECK(listen(listener, std::vector<float>(48000, 0.0F), 48000.0, 64).empty());

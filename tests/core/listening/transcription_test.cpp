@@ -2,14 +2,17 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
 
+#include "core/listening/judgement.hpp"
 #include "core/listening/onset_match.hpp"
 #include "core/listening/practice/dice.hpp"
 #include "core/listening/practice/piece_of_music.hpp"
+#include "core/listening/practice/speech.hpp"
 
 using namespace percussionist::listening;
 
@@ -103,11 +106,15 @@ TEST_CASE("how loud a recording is does not matter, nor what is silent before it
 }
 
 TEST_CASE("velocities follow the strokes: the softer of two kicks has the lower one") {
-    const auto kick = [](double t, double at, double amplitude) {
+    // With a beater: a bare sine with nothing else around might as well be a bass.
+    practice::Dice dice(5);
+    const auto kick = [&](double t, double at, double amplitude) {
         if (t < at) return 0.0;
         const double age = t - at;
         const double bend = 60.0 * age + 3.0 * (1.0 - std::exp(-age / 0.02));
-        return amplitude * std::exp(-age / 0.06) * std::sin(2.0 * std::numbers::pi * bend);
+        const double beater = 0.3 * std::exp(-age / 0.004) * dice.uniform(-1.0, 1.0);
+        return amplitude *
+               (beater + std::exp(-age / 0.06) * std::sin(2.0 * std::numbers::pi * bend));
     };
     const auto strokes = heard_in(4.0, 44100.0, [&](double t) {
         double sum = 0.0;
@@ -134,8 +141,49 @@ TEST_CASE("what holds no drums is given next to none") {
           8);
 }
 
+TEST_CASE("who speaks is given next to no drums, at any voice and pace") {
+    std::size_t strokes = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        practice::Dice dice(seed);
+        strokes +=
+            transcribe(practice::speech(8 * 44100, 44100.0, dice), 44100.0, model()).strokes.size();
+    }
+    CHECK(strokes <= 16);  // of hundreds of hisses and stops
+}
+
+TEST_CASE("how a recording is cut into pieces does not matter, nor what it stands off zero by") {
+    const auto piece = unheard(1, true).front();
+    const auto whole = transcribe(piece.signal, piece.rate, model()).strokes;
+    const Playback in_pieces = [&](const auto& take) {
+        for (std::size_t n = 0; n < piece.signal.size(); n += 999)
+            take(std::span(piece.signal)
+                     .subspan(n, std::min<std::size_t>(999, piece.signal.size() - n)));
+    };
+    const auto cut = transcribe(in_pieces, piece.rate, model()).strokes;
+    REQUIRE(cut.size() == whole.size());
+    for (std::size_t i = 0; i < cut.size(); ++i) CHECK(cut[i].time == whole[i].time);
+
+    std::vector<double> off = piece.signal;
+    for (double& x : off) x += 0.4;
+    const auto of_off = transcribe(off, piece.rate, model()).strokes;
+    CHECK(std::abs(static_cast<double>(of_off.size()) / static_cast<double>(whole.size()) - 1.0) <
+          0.1);
+}
+
+TEST_CASE("a cymbal that rings is a ride or a crash, never both") {
+    Odds odds{};
+    odds.fill(-1.0F);
+    odds[index(DrumClass::crash)] = 2.0F;
+    CHECK(verdicts(odds).size() == 0);
+    odds[index(DrumClass::ride)] = 1.0F;
+    REQUIRE(verdicts(odds).size() == 1);
+    CHECK(verdicts(odds).begin()->drum == DrumClass::crash);
+    odds[index(DrumClass::crash)] = -0.1F;
+    CHECK(verdicts(odds).begin()->drum == DrumClass::ride);
+}
+
 TEST_CASE("recordings of no length or hardly any are heard through") {
-    CHECK(transcribe({}, 44100.0, model()).strokes.empty());
+    CHECK(transcribe(std::vector<double>{}, 44100.0, model()).strokes.empty());
     const std::vector<double> one = {0.7};
     CHECK(transcribe(one, 48000.0, model()).strokes.size() <= 2);
     const std::vector<double> few(500, 0.1);

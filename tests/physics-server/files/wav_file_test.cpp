@@ -82,6 +82,20 @@ TEST_CASE("mono is the mean of the channels") {
     CHECK(mono({48000, 1, {1.0, 2.0}}) == std::vector<double>{1.0, 2.0});
 }
 
+TEST_CASE("played piece after piece a file is what it is read as") {
+    const auto path = scratch("pieces.wav");
+    Audio audio{44100, 3, {}};
+    for (int n = 0; n < 3 * 70000; ++n) audio.samples.push_back(0.001 * (n % 777));
+    write_wav(path, audio);
+    std::vector<double> played;
+    play_mono(path, [&](std::span<const double> piece) {
+        played.insert(played.end(), piece.begin(), piece.end());
+    });
+    CHECK(played == mono(read_audio(path)));
+    CHECK(rate_of(path) == 44100);
+    std::filesystem::remove(path);
+}
+
 TEST_CASE("what cannot be read or written is named") {
     const auto names = [](const auto& action, const std::string& name) {
         try {
