@@ -51,7 +51,7 @@ class DrumListen : public Object {
         write_text(path_of(a.word(0)), listening::to_text(listener_->own_drums()));
     }
     void load(const Arguments& a) {
-        listener_->set_own_drums(listening::own_drums_from_text(read_text(path_of(a.word(0)))));
+        listener_->set_own_drums(listening::own_drums_from_text(read_text(find_file(a.word(0)))));
     }
 
     void sensitivity(const Arguments& a) {

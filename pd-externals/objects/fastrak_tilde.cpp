@@ -122,7 +122,7 @@ class Fastrak : public Object {
     void reset(const Arguments&) { command("\x19"); }
 
     void record(const Arguments& a) { order(io::TrackerOrder::Kind::kRecord, path_of(a.word(0))); }
-    void play(const Arguments& a) { order(io::TrackerOrder::Kind::kPlay, path_of(a.word(0))); }
+    void play(const Arguments& a) { order(io::TrackerOrder::Kind::kPlay, find_file(a.word(0))); }
     void stop(const Arguments&) { order(io::TrackerOrder::Kind::kStop); }
 
     /// The signals are as late as the messages and one record more, to have one on either side.

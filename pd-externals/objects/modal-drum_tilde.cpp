@@ -106,7 +106,7 @@ void ModalDrum::membrane(const pdx::Arguments&) {
 }
 
 void ModalDrum::read(const pdx::Arguments& a) {
-    tune(modal::parse_modes(text_of(path_of(a.word(0)))), loss());
+    tune(modal::parse_modes(text_of(find_file(a.word(0)))), loss());
 }
 
 void ModalDrum::given(const pdx::Arguments& a) {

@@ -30,7 +30,8 @@ struct Box {
     Object* object;
     t_outlet** outlets;
     std::size_t outlet_count;
-    t_pd** inlets;  ///< what listens at the further inlets for messages
+    std::size_t channels;  ///< of the last outlet, if it is one cord for all; else 0
+    t_pd** inlets;         ///< what listens at the further inlets for messages
     const Sample* inputs[kMaxSignals];
     Sample* outputs[kMaxSignals];
     std::size_t output_count;

@@ -1,9 +1,13 @@
 // The functions of m_pd.h that the seam calls, for tests without Pd.
 #include "pdx/fake_pd.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdarg>
 #include <cstdlib>
+#include <cstring>
 #include <string_view>
 
 using namespace percussionist::pdx::fake;
@@ -69,6 +73,19 @@ t_symbol* gensym(const char* name) {
     state().names.emplace_back(name);
     state().symbols.push_back({state().names.back().c_str(), nullptr, nullptr});
     return &state().symbols.back();
+}
+
+t_pd pd_objectmaker = nullptr;
+
+/// Whether objects can be made by that name.
+t_gotfn zgetfn(const t_pd*, t_symbol* name) {
+    const auto& creators = state().creators;
+    const auto found = creators.find(name->s_name);
+    return found == creators.end() ? nullptr : reinterpret_cast<t_gotfn>(found->second);
+}
+
+void class_addcreator(t_newmethod make, t_symbol* name, t_atomtype, ...) {
+    state().creators[name->s_name] = make;
 }
 
 t_class* class_new(t_symbol* name, t_newmethod make, t_method destroy, std::size_t size, int,
@@ -191,6 +208,22 @@ void canvas_makefilename(const t_glist*, const char* file, char* result, int siz
     const bool beside_patch = *file != '/' && !state().patch_folder.empty();
     const std::string path = beside_patch ? state().patch_folder + '/' + file : file;
     result[path.copy(result, static_cast<std::size_t>(size) - 1)] = '\0';
+}
+
+int canvas_open(const t_canvas* canvas, const char* name, const char*, char* folder, char** found,
+                unsigned int size, int) {
+    canvas_makefilename(canvas, name, folder, static_cast<int>(size));
+    char* const slash = std::strrchr(folder, '/');
+    const int file = open(folder, O_RDONLY);
+    if (file >= 0 && slash) {
+        *slash = '\0';
+        *found = slash + 1;
+    }
+    return slash ? file : -1;
+}
+
+int sys_close(int file) {
+    return close(file);
 }
 
 void post(const char* format, ...) {

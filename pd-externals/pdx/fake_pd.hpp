@@ -49,6 +49,7 @@ struct State {
     std::list<t_symbol> symbols;
     std::deque<std::string> names;
     std::list<_class> classes;
+    std::map<std::string, t_newmethod, std::less<>> creators;  ///< by further names
     std::list<_clock> clocks;
     std::map<t_object*, std::vector<std::unique_ptr<_outlet>>> outlets;
     std::map<t_object*, std::size_t> extra_inlets;

@@ -57,6 +57,19 @@ std::string Object::path_of(const char* file) const {
     return path.data();
 }
 
+std::string Object::find_file(const char* file) const {
+    std::array<char, MAXPDSTRING> folder{};
+    char* name = nullptr;
+    const int found = box_ ? canvas_open(box_->canvas, file, "", folder.data(), &name,
+                                         static_cast<unsigned int>(folder.size()), 1)
+                           : -1;
+    if (found < 0) {
+        return path_of(file);
+    }
+    sys_close(found);
+    return std::string(folder.data()) + "/" + name;
+}
+
 double Object::now() {
     return logical_seconds();
 }

@@ -73,8 +73,10 @@ class Object {
     void error(const std::string& text) const;
 
   protected:
-    /// A file that a message names: beside the patch, unless the name says where.
+    /// A file to write that a message names: beside the patch, unless the name says where.
     std::string path_of(const char* file) const;
+    /// A file to read: beside the patch, or in the folders where Pd looks for objects.
+    std::string find_file(const char* file) const;
     /// Logical time [s]: exact within a block, the same for all that happens at once.
     static double now();
     /// How far Pd moves logical time on at once [s].
@@ -179,7 +181,7 @@ class Describe : public Description {
         return *this;
     }
     /// The last outlets, all alike: as many as creation argument `argument` says (at most 16 in
-    /// all).
+    /// all), or, with -m in front of the arguments, one outlet with as many channels.
     Describe& signal_outlets(std::string text, std::size_t argument) {
         last_outlets = argument;
         return signal_outlet(std::move(text));
@@ -201,11 +203,18 @@ Describe<T> describe(std::string name, std::string summary) {
     return table;
 }
 
-/// Makes the object known to Pd. At most once for each name.
+/// Makes the object known to Pd, under its name and as percussionist/NAME. What is known already,
+/// even by another file of this library, stays as it is.
 void add_class(Description description);
 
 /// What add_class() was given under a name, or null.
 const Description* find_class(std::string_view name);
+/// All of them, by name.
+std::vector<const Description*> all_classes();
+
+/// What an object with several like outlets says of them.
+inline constexpr const char* kOneCord =
+    "-m before the arguments: one outlet with a channel for each (Pd 0.54)";
 
 }  // namespace percussionist::pdx
 

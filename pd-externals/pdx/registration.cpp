@@ -1,4 +1,6 @@
 // Classes: making them known to Pd, objects of them, and their messages and signals.
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -119,6 +121,28 @@ t_int* perform(t_int* words) noexcept {
     return words + 3;
 }
 
+/// Since Pd 0.54 a cord carries several channels. An object that knows of it says how many each of
+/// its outlets has; before, there is no such function, and no such cord.
+using SetChannels = void (*)(t_signal**, int);
+constexpr int kClassMultichannel = 0x10;
+
+SetChannels set_channels() {
+    static const auto known =
+        reinterpret_cast<SetChannels>(dlsym(RTLD_DEFAULT, "signal_setmultiout"));
+    return known;
+}
+
+/// The samples of a signal outlet, one cord of all channels or a cord for each.
+void take_outlet(Box* box, t_signal** signal, std::size_t size) {
+    const std::size_t channels = std::max<std::size_t>(box->channels, 1);
+    if (box->known->table.last_outlets && set_channels()) {
+        set_channels()(signal, static_cast<int>(channels));
+    }
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+        box->outputs[box->output_count++] = (*signal)->s_vec + channel * size;
+    }
+}
+
 void sort_signals(Box* box, t_signal** signals) noexcept {
     const Description& table = box->known->table;
     const auto size = static_cast<std::size_t>(signals[0]->s_n);
@@ -131,7 +155,7 @@ void sort_signals(Box* box, t_signal** signals) noexcept {
     box->output_count = 0;
     for (std::size_t i = 0; i < box->outlet_count; ++i) {
         if (port_of_outlet(box, i).signal) {
-            box->outputs[box->output_count++] = signals[next++]->s_vec;
+            take_outlet(box, &signals[next++], size);
         }
     }
     bool ready = false;
@@ -169,12 +193,27 @@ void make_ports(Box* box, const Arguments& creation) {
     }
     const auto wanted = table.last_outlets ? creation.number(*table.last_outlets) : 1.0;
     const std::size_t more = wanted > 1.0 ? static_cast<std::size_t>(wanted) - 1 : 0;
-    box->outlet_count = std::min(table.outlets.size() + more, kMaxSignals);
+    const std::size_t all = std::min(table.outlets.size() + more, kMaxSignals);
+    box->channels = box->channels > 0 ? all - table.outlets.size() + 1 : 0;
+    box->outlet_count = box->channels > 0 ? table.outlets.size() : all;
     box->outlets = new t_outlet* [box->outlet_count] {};
     for (std::size_t i = 0; i < box->outlet_count; ++i) {
         const bool signal = port_of_outlet(box, i).signal;
         box->outlets[i] = outlet_new(&box->header, signal ? &s_signal : nullptr);
     }
+}
+
+/// "-m" in front of the arguments: the last outlets are one, with a channel for each.
+std::span<const Atom> take_flag(Box* box, std::span<const Atom> given) {
+    if (!box->known->table.last_outlets || given.empty() || is_number(given[0]) ||
+        to_string(given[0]) != "-m") {
+        return given;
+    }
+    if (!set_channels()) {
+        throw std::invalid_argument("-m: several channels in one cord need Pd 0.54 or newer");
+    }
+    box->channels = 1;
+    return given.subspan(1);
 }
 
 void* create(t_symbol* typed_name, int count, t_atom* atoms) noexcept {
@@ -190,7 +229,8 @@ void* create(t_symbol* typed_name, int count, t_atom* atoms) noexcept {
     guarded(Making{box}, "", [&] {
         const Description& table = box->known->table;
         const auto given = from_pd(count, atoms);
-        const Arguments creation = check(table.creation_arguments, given, table.name);
+        const Arguments creation =
+            check(table.creation_arguments, take_flag(box, given), table.name);
         make_ports(box, creation);
         box->object = table.make(*box, creation).release();
     });
@@ -218,17 +258,26 @@ void destroy(Box* box) noexcept {
 
 void add_class(Description description) {
     const std::string name = description.name;
+    t_symbol* const long_name = gensym(("percussionist/" + name).c_str());
+    if (zgetfn(&pd_objectmaker, long_name)) {
+        return;  // by the library of all, or by the object's own file
+    }
     if (description.signal_inlets.size() > kMaxSignals ||
         description.outlets.size() > kMaxSignals) {
-        ::post("%s: too many signals", name.c_str());
+        print_error(nullptr, name + ": too many signals");
         return;
     }
     Known& known = known_classes()[name];
     known.table = std::move(description);
-    t_class* const c = class_new(gensym(name.c_str()), reinterpret_cast<t_newmethod>(&create),
-                                 reinterpret_cast<t_method>(&destroy), sizeof(Box), CLASS_DEFAULT,
-                                 A_GIMME, A_NULL);
+    t_class* const c =
+        class_new(gensym(name.c_str()), reinterpret_cast<t_newmethod>(&create),
+                  reinterpret_cast<t_method>(&destroy), sizeof(Box),
+                  known.table.last_outlets && set_channels() ? kClassMultichannel : CLASS_DEFAULT,
+                  A_GIMME, A_NULL);
     known.pd_class = c;
+    if (!zgetfn(&pd_objectmaker, long_name)) {
+        class_addcreator(reinterpret_cast<t_newmethod>(&create), long_name, A_GIMME, A_NULL);
+    }
     if (!known.table.signal_inlets.empty()) {
         class_domainsignalin(c, offsetof(Box, unconnected_inlet));
     }
@@ -245,11 +294,22 @@ const Description* find_class(std::string_view name) {
     return found == known_classes().end() ? nullptr : &found->second.table;
 }
 
+std::vector<const Description*> all_classes() {
+    std::vector<const Description*> all;
+    for (const auto& [name, known] : known_classes()) {
+        all.push_back(&known.table);
+    }
+    return all;
+}
+
 std::string Description::reference() const {
     std::string text = name + ": " + summary + "\n  [" + usage(name, creation_arguments) + "]\n";
     for (const auto& message : messages) {
         text +=
             "  " + usage(message.selector, message.arguments) + ": " + message.description + "\n";
+    }
+    if (last_outlets) {
+        text += std::string("  ") + kOneCord + "\n";
     }
     for (const auto& inlet : signal_inlets) {
         text += "  signal inlet: " + inlet.description + "\n";
