@@ -26,9 +26,17 @@ namespace percussionist::app {
 
 namespace {
 
+/// What draws the film: where the program was installed, or where it was built from.
+std::filesystem::path project_folder() {
+    std::error_code none;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
+    const auto installed = program.parent_path().parent_path() / PERCUSSIONIST_PD_FOLDER;
+    return std::filesystem::exists(installed / "scripts", none) ? installed : PERCUSSIONIST_FOLDER;
+}
+
 struct FilmCommandOptions {
     std::filesystem::path score, film;
-    std::filesystem::path project = PERCUSSIONIST_FOLDER;
+    std::filesystem::path project = project_folder();
     std::vector<std::string> messages;
     FilmOptions film_options;
     sim::SimulationOptions simulation;

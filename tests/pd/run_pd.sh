@@ -2,8 +2,9 @@
 # run_pd.sh EXTERNALS PATCH [pd's further arguments]: opens a patch in a real Pd, without sound card
 # or window and faster than real time; the patch has to quit by itself. Fails on whatever Pd complains
 # of, for Pd's own exit code does not tell. PD_PRELOAD: libraries to preload.
-# PD_MAY_COMPLAIN=1: only its exit code counts. PD_MAY_SAY=PATTERN: these complaints are meant. PD_REAL_TIME=1: by the system's clock, for what has
-# threads or sockets.
+# PD_MAY_COMPLAIN=1: only its exit code counts. PD_MAY_SAY=PATTERN: these complaints are meant.
+# PD_QUIET=1: what it said is not shown. PD_REAL_TIME=1: by the system's clock, for what has threads or
+# sockets.
 externals=$1
 patch=$2
 shift 2
@@ -15,7 +16,7 @@ pace=-batch
 timeout 60 env LD_PRELOAD="$PD_PRELOAD" ASAN_OPTIONS=detect_leaks=0 pd -noprefs -nrt -nogui -noaudio $pace -stderr -r 48000 \
     -path "$externals" "$@" -open "$patch" >"$log" 2>&1
 code=$?
-cat "$log"
+[ -n "$PD_QUIET" ] || cat "$log"
 if [ -z "$PD_MAY_COMPLAIN" ] && grep -vE "${PD_MAY_SAY:-^$}" "$log" |
     grep -qE "couldn't create|error:|can't|no method|expected|connection failed"; then
     exit 1

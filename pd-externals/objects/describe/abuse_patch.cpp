@@ -140,79 +140,72 @@ Canvas blocks(const std::string& size) {
     return canvas;
 }
 
-/// The main canvas: what is done when.
+/// What is done when, as [qlist] reads it.
 class Story {
   public:
-    Story() { start_ = canvas_.add("obj 10 10 loadbang"); }
-
-    /// Messages for named receivers, or a box that is banged, `later` ms after the last.
-    void then(double later, const std::string& box) {
-        time_ += later;
-        const int delay = canvas_.add("obj 10 40 delay " + std::to_string(time_));
-        canvas_.connect(start_, delay);
-        canvas_.connect(delay, canvas_.add(box));
-    }
+    /// So many ms after the last.
     void say(double later, const std::string& receiver, const std::string& message) {
-        then(later, "msg 10 70 \\; " + receiver + " " + message);
+        text_ += std::to_string(later) + " " + receiver + " " + message + ";\n";
     }
-    void often(double later, int times, const std::string& receiver, const std::string& message) {
-        then(later, "obj 10 100 until");
-        const int until = last_box();
-        const int what = canvas_.add("msg 10 130 \\; " + receiver + " " + message);
-        const int number = canvas_.add("obj 90 130 f");
-        const int sum = canvas_.add("obj 150 130 + 1");
-        const int end = canvas_.add("obj 90 160 sel " + std::to_string(times));
-        canvas_.connect(until, what);
-        canvas_.connect(until, number);
-        canvas_.connect(number, sum);
-        canvas_.connect(sum, number, 1);
-        canvas_.connect(sum, end);
-        canvas_.connect(end, until, 1);
-    }
-    Canvas& canvas() { return canvas_; }
+    const std::string& text() const { return text_; }
 
   private:
-    int last_box() { return canvas_.add("text 0 0 .") - 1; }
-
-    Canvas canvas_;
-    int start_ = 0;
-    double time_ = 0.0;
+    std::string text_;
 };
+
+void misuse_messages(Story& story, const Description& table) {
+    for (const std::string& message : messages_to(table)) {
+        story.say(0.2, receiver(table), message);
+    }
+    story.say(1, "pd", "dsp 0");
+    story.say(1, "pd", "dsp 1");
+}
+
+void misuse_creation(Story& story, const Description& table, int copies) {
+    const std::string box = "obj 10 10 " + table.name;
+    for (const char* arguments : kArguments) {
+        story.say(0.1, "pd-abuse-many", box + " " + arguments);
+    }
+    story.say(0.1, "pd-abuse-many", box + values(table.creation_arguments, Edge::kLow));
+    story.say(0.1, "pd-abuse-many", box + values(table.creation_arguments, Edge::kHigh));
+    story.say(1, "pd-abuse-many", box + " " + repeated("7", kLength));
+    story.say(1, "pd-abuse-many", "clear");
+    story.say(1, "pd", "dsp 0");
+    for (int i = 0; i < copies; ++i) {
+        story.say(0, "pd-abuse-many", "obj 10 10 " + needed(table));
+    }
+    story.say(1, "pd", "dsp 1");
+    story.say(5, "pd-abuse-many", "clear");
+}
 
 }  // namespace
 
-std::string abuse_patch(int copies) {
-    Story story;
+std::string abuse_patch() {
+    Canvas canvas;
     int number = 0;
     for (const char* size : kBlocks) {
-        story.canvas().add("blocks-" + std::to_string(++number), blocks(size));
+        canvas.add("blocks-" + std::to_string(++number), blocks(size));
     }
-    story.canvas().add("abuse-many", Canvas());
+    canvas.add("abuse-many", Canvas());
+    const int start = canvas.add("obj 10 10 loadbang");
+    const int read = canvas.add("msg 10 40 read abuse.txt \\, bang");
+    const int list = canvas.add("obj 10 70 qlist");
+    canvas.connect(start, read);
+    canvas.connect(read, list);
+    return "#N canvas 50 50 450 300 12;\n" + canvas.text();
+}
+
+std::string abuse_story(int copies) {
+    Story story;
     story.say(1, "pd", "dsp 1");
     for (const Description* table : pdx::all_classes()) {
-        for (const std::string& message : messages_to(*table)) {
-            story.say(0.2, receiver(*table), message);
-        }
-        story.say(1, "pd", "dsp 0");
-        story.say(1, "pd", "dsp 1");
+        misuse_messages(story, *table);
     }
     for (const Description* table : pdx::all_classes()) {
-        const std::string box = "obj 10 10 " + table->name;
-        for (const char* arguments : kArguments) {
-            story.say(0.1, "pd-abuse-many", box + " " + arguments);
-        }
-        const auto& creation = table->creation_arguments;
-        story.say(0.1, "pd-abuse-many", box + values(creation, Edge::kLow));
-        story.say(0.1, "pd-abuse-many", box + values(creation, Edge::kHigh));
-        story.say(1, "pd-abuse-many", box + " " + repeated("7", kLength));
-        story.say(1, "pd-abuse-many", "clear");
-        story.say(1, "pd", "dsp 0");
-        story.often(1, copies, "pd-abuse-many", "obj 10 10 " + needed(*table));
-        story.say(1, "pd", "dsp 1");
-        story.say(5, "pd-abuse-many", "clear");
+        misuse_creation(story, *table, copies);
     }
     story.say(5, "pd", "quit");
-    return "#N canvas 50 50 450 300 12;\n" + story.canvas().text();
+    return story.text();
 }
 
 }  // namespace percussionist::objects

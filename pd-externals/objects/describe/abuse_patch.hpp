@@ -5,10 +5,12 @@
 
 namespace percussionist::objects {
 
-/// The text of a patch that quits Pd at its end: in subpatches of several block sizes and rates
-/// each object hears every selector with arguments that fit, that do not, none and a thousand,
-/// while signals run, stop and start; is made with wrong arguments, and `copies` times, and
-/// deleted.
-std::string abuse_patch(int copies);
+/// Subpatches of several block sizes and rates with each object; plays abuse.txt beside it.
+std::string abuse_patch();
+
+/// For abuse.txt: each object hears every selector with arguments that fit, that do not, none and a
+/// thousand, while signals run, stop and start; is made with wrong arguments, and `copies` times,
+/// and deleted. Then Pd quits.
+std::string abuse_story(int copies);
 
 }  // namespace percussionist::objects

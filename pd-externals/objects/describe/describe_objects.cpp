@@ -2,7 +2,7 @@
 //   readme        the table of README.md
 //   deken         the list of a package: name TAB what it is
 //   names         the names, a line each
-//   abuse COPIES  a patch that misuses them all
+//   abuse-patch, abuse-story COPIES  a patch that misuses them all, and what it plays
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -47,10 +47,12 @@ int main(int count, char** words) {
         print_deken();
     } else if (topic == "names") {
         print_names();
-    } else if (topic == "abuse" && count > 2) {
-        std::cout << percussionist::objects::abuse_patch(std::atoi(words[2]));
+    } else if (topic == "abuse-patch") {
+        std::cout << percussionist::objects::abuse_patch();
+    } else if (topic == "abuse-story" && count > 2) {
+        std::cout << percussionist::objects::abuse_story(std::atoi(words[2]));
     } else {
-        std::cerr << "usage: describe-objects readme|deken|names|abuse COPIES\n";
+        std::cerr << "usage: describe-objects readme|deken|names|abuse-patch|abuse-story COPIES\n";
         return 2;
     }
     return 0;

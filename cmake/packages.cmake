@@ -1,0 +1,21 @@
+# cpack: a Debian package of the externals and one of the server, whose needs dpkg-shlibdeps finds.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "the Percussionist authors <percussionist@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL externals server)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION sound)
+set(CPACK_DEBIAN_EXTERNALS_PACKAGE_NAME pd-percussionist)
+set(CPACK_DEBIAN_EXTERNALS_DESCRIPTION "drums, trackers, matrices and OSC for Pure Data
+ Externals with which a person plays a drum that is not there, with their help and patches.")
+set(CPACK_DEBIAN_EXTERNALS_PACKAGE_DEPENDS "puredata-core | pd")
+set(CPACK_DEBIAN_EXTERNALS_PACKAGE_RECOMMENDS "gem")
+set(CPACK_DEBIAN_SERVER_PACKAGE_NAME percussionist)
+set(CPACK_DEBIAN_SERVER_DESCRIPTION "a simulated percussionist, heard in Pure Data
+ A physics server: a whole body plays a drum, and its contacts are sent over OSC.")
+set(CPACK_DEBIAN_SERVER_PACKAGE_RECOMMENDS "pd-percussionist")
+set(CPACK_DEBIAN_SERVER_PACKAGE_SUGGESTS "ffmpeg, xvfb, gem")
+include(CPack)
