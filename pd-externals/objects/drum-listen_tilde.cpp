@@ -1,4 +1,5 @@
 // [drum-listen~ SENSITIVITY]: hears which drums are struck; see core/listening/live_listener.hpp.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -6,6 +7,8 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include "core/listening/live_listener.hpp"
 #include "pdx/object.hpp"
@@ -27,6 +30,18 @@ void write_text(const std::string& path, const std::string& text) {
     std::ofstream file(path, std::ios::binary);
     file << text;
     if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
+}
+
+/// The listener hears floats, whatever Pd's samples are.
+template <class Any>
+std::span<const float> floats(const Any* samples, std::size_t size, std::vector<float>& room) {
+    if constexpr (std::is_same_v<Any, float>) {
+        return {samples, size};
+    } else {
+        std::transform(samples, samples + size, room.begin(),
+                       [](Any sample) { return static_cast<float>(sample); });
+        return {room.data(), size};
+    }
 }
 
 class DrumListen : public Object {
@@ -73,7 +88,8 @@ class DrumListen : public Object {
         }
     }
 
-    void prepare(double sample_rate, std::size_t) override {
+    void prepare(double sample_rate, std::size_t block_size) override {
+        as_floats_.resize(block_size);
         if (sample_rate == settings_.rate) return;
         settings_.rate = sample_rate;
         const OwnDrums drums = listener_->own_drums();
@@ -83,12 +99,13 @@ class DrumListen : public Object {
     }
 
     void process(const Block& block) noexcept override {
-        listener_->process(
-            {block.inputs[0], block.size}, [&](const LiveEvent& event, std::size_t samples) {
-                if (count_ == kMostWaiting) return;
-                const double now = static_cast<double>(heard_ + samples) / block.sample_rate;
-                waiting_[count_++] = {event, now - event.time};
-            });
+        listener_->process(floats(block.inputs[0], block.size, as_floats_),
+                           [&](const LiveEvent& event, std::size_t samples) {
+                               if (count_ == kMostWaiting) return;
+                               const double now =
+                                   static_cast<double>(heard_ + samples) / block.sample_rate;
+                               waiting_[count_++] = {event, now - event.time};
+                           });
         heard_ += block.size;
         if (count_ > 0) clock_.delay(0.0);
     }
@@ -121,6 +138,7 @@ class DrumListen : public Object {
     listening::LiveSettings settings_;
     std::unique_ptr<listening::LiveListener> listener_;
     Clock clock_;
+    std::vector<float> as_floats_;
     std::array<Waiting, kMostWaiting> waiting_{};
     std::size_t count_ = 0;
     std::size_t heard_ = 0;  ///< samples

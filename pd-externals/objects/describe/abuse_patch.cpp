@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <vector>
 
 #include "pdx/object.hpp"
@@ -198,8 +199,16 @@ std::string abuse_patch() {
 std::string abuse_story(int copies) {
     Story story;
     story.say(1, "pd", "dsp 1");
-    for (const Description* table : pdx::all_classes()) {
-        misuse_messages(story, *table);
+    // Those that sound last, for what they were asked may take them long.
+    for (const bool sounds : {false, true}) {
+        for (const Description* table : pdx::all_classes()) {
+            if (sounds == !table->signal_inlets.empty()) {
+                misuse_messages(story, *table);
+            }
+        }
+    }
+    for (std::size_t i = 1; i <= std::size(kBlocks); ++i) {
+        story.say(1, "pd-blocks-" + std::to_string(i), "clear");
     }
     for (const Description* table : pdx::all_classes()) {
         misuse_creation(story, *table, copies);
