@@ -3,7 +3,6 @@
 //   deken         the list of a package: name TAB what it is
 //   names         the names, a line each
 //   abuse-patch, abuse-story COPIES  a patch that misuses them all, and what it plays
-#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -50,7 +49,7 @@ int main(int count, char** words) {
     } else if (topic == "abuse-patch") {
         std::cout << percussionist::objects::abuse_patch();
     } else if (topic == "abuse-story" && count > 2) {
-        std::cout << percussionist::objects::abuse_story(std::atoi(words[2]));
+        std::cout << percussionist::objects::abuse_story(std::stoi(words[2]));
     } else {
         std::cerr << "usage: describe-objects readme|deken|names|abuse-patch|abuse-story COPIES\n";
         return 2;
