@@ -8,13 +8,10 @@ namespace percussionist::body {
 
 namespace {
 
-constexpr double kFlashTime = 0.08;    // [s]
 constexpr double kSwingTime = 0.9;     // [s]
 constexpr double kSwingRate = 1.3;     // [Hz]
 constexpr double kLargest = 0.22;      // of the loudest stroke at the edge [rad]
 constexpr double kOnlyCymbals = 0.25;  // of it, of what is held by a stand's clutch
-constexpr double kHatOpens = 0.03;     // [m]
-constexpr double kBeaterTurns = 1.0;   // [rad]
 
 const std::complex<double> kSwing(-1.0 / kSwingTime, 2.0 * std::numbers::pi * kSwingRate);
 

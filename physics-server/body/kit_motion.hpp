@@ -17,6 +17,10 @@
 
 namespace percussionist::body {
 
+inline constexpr double kHatOpens = 0.03;    ///< with the pedal up [m]
+inline constexpr double kBeaterTurns = 1.0;  ///< with the pedal up [rad]
+inline constexpr double kFlashTime = 0.08;   ///< [s]
+
 struct ObjectState {
     Vector3 turn = Vector3::Zero();  ///< about its middle, world, rotation vector [rad]
     double lift = 0.0;               ///< of the hi-hat's upper cymbal [m]

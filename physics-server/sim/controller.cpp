@@ -54,7 +54,9 @@ Target::Target(const Skeleton& skeleton)
       after(skeleton),
       placed_before(skeleton),
       placed_now(skeleton),
-      placed_after(skeleton) {}
+      placed_after(skeleton),
+      strikes(skeleton.segments.size(), 0),
+      loose(skeleton.segments.size(), 0) {}
 
 void Target::advance() {
     std::swap(before, now);
@@ -73,6 +75,7 @@ Controller::Controller(OdeBody& body, const ControlOptions& options, double h)
       added_(body.skeleton().segments.size(), Vector3::Zero()),
       hand_of_grip_(body.skeleton().segments.size(), -1),
       acceleration_(body.skeleton()),
+      forecast_(body.skeleton()),
       torques_(body.skeleton().segments.size(), Vector3::Zero()) {
     const Skeleton& skeleton = body.skeleton();
     inertia_.resize(skeleton.segments.size(), 0.0);
@@ -124,7 +127,7 @@ void Controller::add_torque(int joint, const Vector3& torque) {
 
 double Controller::frequency(int joint, const Target& target) const {
     const int hand = hand_of_grip_[joint];
-    if (hand >= 0 && target.loose[hand]) return options_.contact_frequency;
+    if (target.loose[joint]) return options_.contact_frequency;
     if (own_frequency_[joint] > 0.0) return own_frequency_[joint];
     return hand < 0 ? options_.frequency : options_.grip_frequency;
 }
@@ -139,9 +142,12 @@ void Controller::apply(const Target& target) {
 }
 
 void Controller::feed_forward(const Target& target) {
-    if (!target.in_head) {
-        central_difference(body_.skeleton(), target.placed_before, target.placed_now,
-                           target.placed_after, h_, acceleration_);
+    central_difference(body_.skeleton(), target.placed_before, target.placed_now,
+                       target.placed_after, h_, forecast_);
+    for (int i = 0; i < body_.skeleton().size(); ++i) {
+        if (target.strikes[i]) continue;
+        acceleration_.linear[i] = forecast_.linear[i];
+        acceleration_.momentum[i] = forecast_.momentum[i];
     }
     joint_torques(body_.skeleton(), target.placed_now, acceleration_, torques_);
     for (int i = 1; i < body_.skeleton().size(); ++i) {

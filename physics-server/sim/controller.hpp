@@ -29,7 +29,7 @@ struct ControlOptions {
     Law law = Law::implicit;
     double frequency = 40.0;         ///< of every joint but the grip [Hz]
     double grip_frequency = 40.0;    ///< of the grip in free air [Hz]
-    double contact_frequency = 6.0;  ///< of the grip about a contact: a loose hand [Hz]
+    double contact_frequency = 6.0;  ///< of a loose joint, the grip about a contact [Hz]
     double damping = 1.0;            ///< of every joint; 1: critical
     double paper_frequency = 5.0;    ///< of every joint under the law of the papers [Hz]
 };
@@ -38,10 +38,10 @@ struct ControlOptions {
 struct Target {
     body::Posture before, now, after;
     body::Placement placed_before, placed_now, placed_after;
-    /// Whether a stick is forecast to be in the head: then its path bends by the head's force, not
-    /// by the muscles', and the forecast of torques holds its last value.
-    bool in_head = false;
-    std::array<bool, 2> loose{};  ///< by Hand: whether its grip is to be loose
+    /// By segment, whether it strikes now: then its path bends by the force of what is struck, not
+    /// by the muscles', and the forecast of its acceleration holds its last value.
+    std::vector<char> strikes;
+    std::vector<char> loose;  ///< by segment: whether its joint is to be loose
     explicit Target(const body::Skeleton& skeleton);
     /// Moves on by a step: now becomes before, after becomes now; after is to be filled anew.
     void advance();
@@ -95,7 +95,7 @@ class Controller {
     std::vector<double> own_frequency_, own_damping_;
     std::vector<Vector3> added_;     ///< torques of the last step that are not the motors'
     std::vector<int> hand_of_grip_;  ///< -1 for a joint that is no grip
-    body::Acceleration acceleration_;
+    body::Acceleration acceleration_, forecast_;
     std::vector<Vector3> torques_;  ///< forecast, world frame of the target
 };
 

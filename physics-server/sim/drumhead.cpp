@@ -18,6 +18,8 @@ constexpr double kLongest = 0.010;
 constexpr double kRest = 0.025;
 /// The modes are evaluated anew for a tip that has moved so far [m].
 constexpr double kSamePlace = 0.002;
+/// A tip so far below the head that does not touch it came from there [m].
+constexpr double kBelow = 0.006;
 /// Below this energy the head is at rest [J].
 constexpr double kStill = 1e-14;
 
@@ -28,16 +30,20 @@ int samples_in(double h, double rate) {
 }  // namespace
 
 Drumhead::Drumhead(const DrumheadOptions& options, double h)
-    : felt_(options.tip),
-      samples_(samples_in(h, options.fine_rate)),
+    : Drumhead(modal::Resonator(options.membrane, options.decay, {.count = options.modes}),
+               options.tip, options.fine_rate, h) {}
+
+Drumhead::Drumhead(modal::Resonator body, const modal::Mallet& felt, double fine_rate, double h)
+    : felt_(felt),
+      samples_(samples_in(h, fine_rate)),
       period_(h / samples_),
-      membrane_(options.membrane, options.decay, options.modes, 1.0 / period_) {
+      head_(std::move(body), 1.0 / period_) {
     modal::check(felt_);
     for (modal::Striker& striker : strikers_) striker = {felt_, 1.0, 0.0, 0.0, 0.0};
 }
 
 void Drumhead::tune(const modal::Membrane& membrane, const modal::Decay& decay) {
-    membrane_.tune(membrane, decay);
+    head_.retune(membrane, decay);
     for (Hand& hand : hands_) hand.placed = linear::Vector3::Constant(1e9);
 }
 
@@ -52,8 +58,9 @@ void Drumhead::set_tip_stiffness(double stiffness) {
 bool Drumhead::near(const TouchingTip& tip) const {
     constexpr double kMargin = 0.003;
     const double reach = std::max(0.0, -tip.velocity.z()) * period_ * samples_;
-    const double radius = membrane_.modes().front().radius;
-    return tip.place.head<2>().norm() < radius && tip.place.z() < kMargin + 1.5 * reach;
+    const double radius = head_.resonator().radius();
+    return tip.place.head<2>().norm() < radius && tip.place.z() < kMargin + 1.5 * reach &&
+           tip.place.z() > -kBelow;
 }
 
 void Drumhead::take_up(std::size_t hand, const TouchingTip& tip) {
@@ -62,7 +69,7 @@ void Drumhead::take_up(std::size_t hand, const TouchingTip& tip) {
     if ((tip.place - h.placed).head<2>().norm() > kSamePlace) {
         const double x = tip.place.x();
         const double y = tip.place.y();
-        membrane_.place(hand, std::hypot(x, y), std::atan2(y, x));
+        head_.place(hand, std::hypot(x, y), std::atan2(y, x));
         h.placed = tip.place;
     }
     striker.mallet.mass = tip.mass;
@@ -88,16 +95,16 @@ std::array<double, 2> Drumhead::step(double time, const std::array<TouchingTip, 
         for (int s = 0; s < samples_; ++s) {
             std::array<Approach, 2> before;
             for (std::size_t i = 0; i < tips.size(); ++i) {
-                before[i] = {strikers_[i].position - membrane_.displacement(i),
+                before[i] = {strikers_[i].position - head_.displacement(i),
                              strikers_[i].velocity};
             }
-            membrane_.step(strikers_);
+            head_.step(strikers_);
             for (std::size_t i = 0; i < tips.size(); ++i) {
                 sample(time + s * period_, i, tips[i], before[i]);
             }
         }
-        at_rest_ = !any && membrane_.bank().energy() < kStill;
-        if (at_rest_) membrane_.rest();
+        at_rest_ = !any && head_.bank().energy() < kStill;
+        if (at_rest_) head_.rest();
     }
     const double end = time + samples_ * period_;
     for (Hand& hand : hands_) end_if_over(hand, end, contacts);

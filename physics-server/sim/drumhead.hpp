@@ -1,22 +1,22 @@
-// The drumhead under the sticks of the simulation: a modal membrane and felt, integrated at audio
-// rate inside each step of the body.
+// The drumhead under the sticks of the simulation, or another thing that is struck: modes (of a
+// membrane, a plate, or given) and felt, integrated at audio rate inside each step of the body.
 //
 // A step of ODE is too long for a contact of 5 ms (its peak force would vary by 17 % with the phase
 // of the steps). So while a tip is near, tip, felt and head are moved together at some 48 kHz
-// (core/modal/struck_membrane.hpp), the tip being a mass: the effective mass of body and stick
+// (core/modal/struck_head.hpp), the tip being a mass: the effective mass of body and stick
 // along the head's normal, accelerated by what else moves it. ODE is given the impulse of the whole
 // step. During a contact the tip's place is that of the fine integration, its velocity at the
 // beginning of each step is ODE's.
 //
 // Frictionless: the head pushes along its normal only. Frame: the head's own, origin in its middle,
-// z out of it. After construction no allocation but that of `contacts`; one thread; deterministic.
+// z out of it; a tip that comes from below passes. After construction no allocation but that of `contacts`; one thread; deterministic.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "core/modal/struck_membrane.hpp"
+#include "core/modal/struck_head.hpp"
 #include "sim/contact_event.hpp"
 
 namespace percussionist::sim {
@@ -42,6 +42,8 @@ class Drumhead {
   public:
     /// h [s], the step of the body's simulation. Throws std::invalid_argument.
     Drumhead(const DrumheadOptions& options, double h);
+    /// Any other body, struck with such felt.
+    Drumhead(modal::Resonator body, const modal::Mallet& felt, double fine_rate, double h);
 
     /// Whether a tip may touch within the coming step, or does. Beyond the rim it passes by.
     [[nodiscard]] bool near(const TouchingTip& tip) const;
@@ -55,6 +57,10 @@ class Drumhead {
     void tune(const modal::Membrane& membrane, const modal::Decay& decay);
     /// Of the felt; a contact under way goes on with it. Throws std::invalid_argument.
     void set_tip_stiffness(double stiffness);
+    /// Another felt of one tip alone, its mass aside, which modal::check() accepts; a contact under
+    /// way goes on with it.
+    void set_felt(std::size_t tip, const modal::Mallet& felt) { strikers_[tip].mallet = felt; }
+    [[nodiscard]] bool touches(std::size_t tip) const { return hands_[tip].phase != Phase::away; }
 
   private:
     /// A stroke is told when it is over or has lasted long; a tip still pressed in by then begins
@@ -80,7 +86,7 @@ class Drumhead {
     modal::Mallet felt_;
     int samples_;  ///< in a step
     double period_;
-    modal::StruckMembrane membrane_;
+    modal::StruckHead head_;
     std::array<modal::Striker, 2> strikers_;
     std::array<Hand, 2> hands_;
     std::array<double, 2> impulses_{};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/modal/struck_membrane.hpp"
+
 namespace percussionist::sim {
 
 namespace {

@@ -1,5 +1,6 @@
 #include "sim/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -58,7 +59,8 @@ Simulation::Simulation(const SimulationOptions& options)
       skeleton_(body::make_skeleton(options.person)),
       kinematics_(skeleton_, kinematics_options(options.rate)),
       strength_(skeleton_, kinematics_.arms(), h_),
-      tip_mass_{body::TipMass(skeleton_, Hand::left), body::TipMass(skeleton_, Hand::right)},
+      tips_{StickTip(skeleton_, Hand::left), StickTip(skeleton_, Hand::right)},
+      sticks_{skeleton_.stick_index(Hand::left), skeleton_.stick_index(Hand::right)},
       target_(skeleton_),
       solution_(skeleton_),
       solved_(skeleton_),
@@ -66,18 +68,14 @@ Simulation::Simulation(const SimulationOptions& options)
       wanted_(skeleton_),
       strokes_rest_(skeleton_),
       clip_rest_(skeleton_),
-      faded_from_(skeleton_),
-      bare_(skeleton_.segments.size(), 0.0) {
+      faded_from_(skeleton_) {
     const double mass_factor = 1.0 + options.mass_error;
     body_ = std::make_unique<OdeBody>(skeleton_, world_, mass_factor);
     controller_ = std::make_unique<Controller>(*body_, options.control, h_);
     head_ = std::make_unique<Drumhead>(options.head, h_);
 
     strike_radius_ = {options.strike_radius, options.strike_radius};
-    for (const Hand hand : kHands) {
-        offsets_[index(hand)] = MovingPlace(offset(hand));
-        last_velocity_[index(hand)].setZero();
-    }
+    for (const Hand hand : kHands) offsets_[index(hand)] = MovingPlace(offset(hand));
     head_place_ = MovingPlace(head_goal());
 
     settle(0.0);
@@ -262,35 +260,22 @@ void Simulation::correct_by_tips() {
 }
 
 void Simulation::mark_contacts() {
-    target_.in_head = false;
+    bool strikes = false;
     for (const Hand hand : kHands) {
         const body::StrokePath& p = path(hand);
         const auto in_head = [&](double offset) { return p.in_head(time() + offset); };
-        target_.in_head = target_.in_head || in_head(-h_) || in_head(0.0) || in_head(h_);
-        target_.loose[index(hand)] = in_head(0.0) || in_head(kLooseBefore) ||
-                                     in_head(-kLooseAfter) || in_head(-0.5 * kLooseAfter);
+        strikes = strikes || in_head(-h_) || in_head(0.0) || in_head(h_);
+        target_.loose[sticks_[index(hand)]] = in_head(0.0) || in_head(kLooseBefore) ||
+                                              in_head(-kLooseAfter) || in_head(-0.5 * kLooseAfter);
     }
+    std::fill(target_.strikes.begin(), target_.strikes.end(), strikes);
 }
 
-TouchingTip Simulation::touching_tip(Hand hand) {
-    const int i = index(hand);
-    const Vector3 head_velocity = (head_place_.at(time() + h_) - head_centre()) / h_;
-    const Vector3 velocity = body_->tip_velocity(hand) - head_velocity;
-    const Vector3 place = body_->tip_position(hand) - head_centre();
-    TouchingTip t;
-    t.place = place;
-    t.place.z() -= skeleton_.stick.tip_radius;
-    t.velocity = velocity;
-    if (head_->near(t)) {
-        t.mass = tip_mass_[i](actual_, Vector3::UnitZ(), controller_->resistance());
-        t.bare_mass = tip_mass_[i](actual_, Vector3::UnitZ(), bare_);
-        // What moves the tip besides the head: its last change of velocity less the head's part.
-        constexpr double kMost = 200.0;
-        const double change = velocity.z() - last_velocity_[i].z() - last_impulse_[i] / t.mass;
-        t.acceleration = std::clamp(change / h_, -kMost, kMost);
-    }
-    last_velocity_[i] = velocity;
-    return t;
+Face Simulation::face() const {
+    Face face;
+    face.middle = head_centre();
+    face.velocity = (head_place_.at(time() + h_) - face.middle) / h_;
+    return face;
 }
 
 void Simulation::step(std::vector<ContactEvent>& contacts) {
@@ -308,11 +293,18 @@ void Simulation::step(std::vector<ContactEvent>& contacts) {
 }
 
 void Simulation::strike_head(std::vector<ContactEvent>& contacts) {
-    const std::array<TouchingTip, 2> tips{touching_tip(Hand::left), touching_tip(Hand::right)};
-    last_impulse_ = head_->step(time(), tips, contacts);
+    const Face face = this->face();
+    std::array<TouchingTip, 2> tips;
     for (const Hand hand : kHands) {
-        const double impulse = last_impulse_[index(hand)];
-        if (impulse != 0.0) body_->add_tip_force(hand, {0.0, 0.0, impulse / h_});
+        StickTip& tip = tips_[index(hand)];
+        tip.look(*body_);
+        tips[index(hand)] = tip.against(face, *head_, actual_, controller_->resistance(), h_);
+    }
+    const std::array<double, 2> impulses = head_->step(time(), tips, contacts);
+    for (const Hand hand : kHands) {
+        const Vector3 impulse(0.0, 0.0, impulses[index(hand)]);
+        tips_[index(hand)].struck(impulse);
+        if (impulse.z() != 0.0) body_->add_tip_force(hand, impulse / h_);
     }
 }
 

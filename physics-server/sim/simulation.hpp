@@ -26,6 +26,7 @@
 #include "sim/impact_forecast.hpp"
 #include "sim/moving_place.hpp"
 #include "sim/ode_body.hpp"
+#include "sim/stick_tip.hpp"
 
 namespace percussionist::sim {
 
@@ -152,7 +153,7 @@ class Simulation {
     void correct_by_tips();
     void mark_contacts();
     void strike_head(std::vector<ContactEvent>& contacts);
-    TouchingTip touching_tip(body::Hand hand);
+    [[nodiscard]] Face face() const;
 
     SimulationOptions options_;
     double h_;
@@ -165,14 +166,13 @@ class Simulation {
     std::unique_ptr<ImpactForecast> forecast_;
     body::InverseKinematics kinematics_;
     body::JointStrength strength_;  ///< of the joints of arms and trunk
-    std::array<body::TipMass, 2> tip_mass_;
+    std::array<StickTip, 2> tips_;
+    std::array<int, 2> sticks_;  ///< segments, by Hand
     std::array<body::StrokePath, 2> paths_;
     MovingPlace head_place_;              ///< of its middle, world [m]
     std::array<MovingPlace, 2> offsets_;  ///< from there to where each stick meets it [m]
     std::array<double, 2> strike_radius_;
     MovingNumber thumbs_up_;  ///< the grip: 0 german, 1 french
-    std::array<Vector3, 2> last_velocity_;
-    std::array<double, 2> last_impulse_{};
     Target target_;
     body::Posture solution_;  ///< of inverse kinematics
     body::Placement solved_, actual_;
@@ -188,7 +188,6 @@ class Simulation {
     body::Posture clip_rest_;                    ///< to which a clip's tips are pulled now
     body::Posture faded_from_;  ///< what was asked for when something else began to be
     double fade_start_ = -1e9;  ///< when that was [s]
-    std::vector<double> bare_;  ///< no resistance: the mass of the body alone
 };
 
 }  // namespace percussionist::sim

@@ -56,7 +56,7 @@ void Simulation::move_places() {
 }
 
 void Simulation::forecast() {
-    const double mass = tip_mass_[0](actual_, Vector3::UnitZ(), bare_);
+    const double mass = tips_[0].bare_mass(actual_, Vector3::UnitZ());
     forecast_ = std::make_unique<ImpactForecast>(options_.head, h_, mass, offset(Hand::left));
 }
 
