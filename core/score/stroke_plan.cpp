@@ -14,6 +14,10 @@ namespace percussionist::score {
 
 namespace {
 
+/// Of the softest and of the loudest note [m/s].
+constexpr double kSoftestSpeed = 0.7;
+constexpr double kLoudestSpeed = 4.5;
+
 constexpr double kDoubleWithin = 0.001;  ///< [s]
 constexpr double kGroupWithin = 0.012;   ///< [s]
 constexpr std::size_t kMostNotes = 1'000'000;
@@ -233,10 +237,13 @@ std::string describe(const LeftOut& left_out, const Score& score) {
 }
 
 double impact_speed(double velocity) {
-    constexpr double kSoftest = 0.7;
-    constexpr double kLoudest = 4.5;
     const double steps = (127.0 * velocity - 1.0) / 126.0;
-    return kSoftest * std::pow(kLoudest / kSoftest, steps);
+    return kSoftestSpeed * std::pow(kLoudestSpeed / kSoftestSpeed, steps);
+}
+
+double velocity_of_impact(double speed) {
+    const double steps = std::log(speed / kSoftestSpeed) / std::log(kLoudestSpeed / kSoftestSpeed);
+    return (1.0 + 126.0 * steps) / 127.0;
 }
 
 double impact_speed(double velocity, Nuance nuance) {

@@ -11,6 +11,7 @@
 #include "app/animate_files.hpp"
 #include "app/bvh_writer.hpp"
 #include "app/commands.hpp"
+#include "app/kit_performance.hpp"
 #include "app/kit_picture.hpp"
 #include "app/kit_sound.hpp"
 #include "app/progress.hpp"
@@ -34,6 +35,7 @@ struct AnimateOptions {
     double frames = 240.0;  ///< a second [Hz]
     int sample_rate = 48000;
     bool silent = false;
+    bool simulated = false;
     std::vector<double> pictures;  ///< at these times [s]
 };
 
@@ -74,13 +76,17 @@ class Animator {
 
     void write() {
         std::filesystem::create_directories(options_.folder);
-        write_motion();
-        check_strokes();
-        files::write_text(options_.folder / "strokes.csv",
-                          strokes_csv(kit_, score_, plan_.strokes, checks_));
+        if (options_.simulated) {
+            write_performance();
+        } else {
+            write_motion();
+            check_strokes();
+            files::write_text(options_.folder / "strokes.csv",
+                              strokes_csv(kit_, score_, plan_.strokes, checks_));
+            for (const double time : options_.pictures) write_picture(time);
+            if (!options_.silent) write_sound(plan_.strokes);
+        }
         write_keys(options_.folder / "keys.csv", *animation_);
-        for (const double time : options_.pictures) write_picture(time);
-        if (!options_.silent) write_sound();
         if (!options_.write_kit.empty()) write_kit();
         tell();
     }
@@ -114,6 +120,46 @@ class Animator {
         through_ = watch.through();
     }
 
+    /// The same out of the simulation.
+    void write_performance() {
+        Progress progress("simulated");
+        BvhWriter bvh(options_.folder / "motion.bvh", animation_->skeleton(),
+                      1.0 / options_.frames);
+        ObjectsWriter objects(options_.folder / "objects.csv", kit_);
+        std::vector<body::ObjectState> states;
+        std::vector<double> pictures = options_.pictures;
+        std::size_t frames = 0;
+        const KitPerformance performance = perform_on_kit(
+            kit_, plan_.strokes, *animation_, kit_bodies(kit_, options_.kit.parent_path()),
+            duration_, [&](const sim::KitSimulation& now) {
+                const double half = 0.5 * now.step_length();
+                const double time = static_cast<double>(frames) / options_.frames;
+                if (now.time() + half >= time) {
+                    now.kit_state(states);
+                    bvh.add(now.placement());
+                    objects.add(time, states);
+                    ++frames;
+                    progress.tell(now.time() / duration_);
+                }
+                std::erase_if(pictures, [&](double at) {
+                    if (at > now.time() + half) return false;
+                    now.kit_state(states);
+                    draw(at, now.placement(), states);
+                    return true;
+                });
+            });
+        bvh.finish();
+        objects.finish();
+        progress.done();
+        if (!performance.sane) throw std::runtime_error("the simulation has gone astray");
+        for (const auto& [what, value] : account_of(kit_, plan_.strokes, performance)) {
+            account_.line(what, value);
+        }
+        files::write_text(options_.folder / "strokes.csv",
+                          contacts_csv(kit_, score_, plan_.strokes, performance));
+        if (!options_.silent) write_sound(heard(kit_, plan_.strokes, performance));
+    }
+
     void check_strokes() {
         double off = 0.0, early = 0.0;
         for (const score::KitStroke& stroke : plan_.strokes) {
@@ -131,18 +177,23 @@ class Animator {
         std::vector<body::ObjectState> states;
         animation_->at(time, posture, placement);
         animation_->kit_at(time, placement, states);
+        draw(time, placement, states);
+    }
+
+    void draw(double time, const body::Placement& placement,
+              const std::vector<body::ObjectState>& states) const {
         files::write_text(options_.folder / fmt::format("picture-{:.3f}.svg", time),
                           kit_picture(kit_, animation_->skeleton(), placement, states,
                                       fmt::format("{:.3f} s", time)));
     }
 
-    void write_sound() {
+    void write_sound(const std::vector<score::KitStroke>& strokes) {
         Progress progress("sound");
         KitSoundOptions sound;
         sound.rate = options_.sample_rate;
         sound.duration = duration_;
         sound.folder = options_.kit.parent_path();
-        const files::Audio audio = kit_sound(kit_, plan_.strokes, sound, progress.teller());
+        const files::Audio audio = kit_sound(kit_, strokes, sound, progress.teller());
         files::write_wav(options_.folder / "song.wav", audio);
         progress.done();
         double peak = 0.0;
@@ -226,6 +277,9 @@ void add_animate_command(CLI::App& program) {
         .add_option("--pictures", options->pictures,
                     "drawings from the front and above, at these times [s]")
         ->delimiter(',');
+    command.add_flag("--simulated", options->simulated,
+                     "the body, its sticks and pedals as physics has them, at 1000 steps a second: "
+                     "contacts and rebounds are real");
     command.add_flag("--silent", options->silent, "no song.wav");
     command.callback([options] { animate(*options); });
 }

@@ -178,6 +178,21 @@ class Voice {
 
 }  // namespace
 
+std::vector<modal::Resonator> kit_bodies(const score::Kit& kit,
+                                         const std::filesystem::path& folder) {
+    constexpr std::size_t kModes = 64;
+    std::vector<modal::Resonator> bodies;
+    for (const KitObject& object : kit.objects) {
+        try {
+            const modal::DrumSettings settings = settings_of(object, folder);
+            bodies.emplace_back(settings.body, settings.loss, modal::Choice{.count = kModes});
+        } catch (const std::exception& fault) {
+            throw std::runtime_error("the sound of " + object.name + ": " + fault.what());
+        }
+    }
+    return bodies;
+}
+
 files::Audio kit_sound(const score::Kit& kit, std::span<const KitStroke> strokes,
                        const KitSoundOptions& options,
                        const std::function<void(double)>& progress) {

@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <vector>
 
+#include "core/modal/resonator.hpp"
 #include "core/score/kit_plan.hpp"
 #include "files/wav_file.hpp"
 
@@ -21,6 +23,11 @@ struct KitSoundOptions {
     double duration = 0.0;         ///< [s]
     std::filesystem::path folder;  ///< where mode files that the kit names are
 };
+
+/// What each object of a kit is made of: its 64 lowest modes, enough for what a stick feels. Throws
+/// as kit_sound().
+std::vector<modal::Resonator> kit_bodies(const score::Kit& kit,
+                                         const std::filesystem::path& folder);
 
 /// Stereo. Throws std::runtime_error naming the object whose sound is none. `progress` hears from 0
 /// to 1.
