@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "body/kit_motion.hpp"
+
 namespace percussionist::body {
 
 namespace {
@@ -193,7 +195,6 @@ class HatTrack {
     static constexpr double kReady = 0.01;     ///< before the hand strikes [s]
     static constexpr double kMove = 0.08;      ///< [s]
     static constexpr double kStaysOpen = 1.2;  ///< if nothing comes [s]
-    static constexpr double kOpen = 0.8;       ///< of the pedal's way
 
     const StrikePoses* pressing() {
         for (std::size_t e = 0; e < kit_.events.size(); ++e) {
@@ -212,10 +213,10 @@ class HatTrack {
     void open(double time) {
         if (up_ == 0.0) {
             add(time - kReady - kMove, KeyKind::rest, 0.0);
-            add(time - kReady, KeyKind::rest, kOpen);
+            add(time - kReady, KeyKind::rest, kOpenHat);
         }
-        up_ = kOpen;
-        add(time, KeyKind::rest, kOpen);
+        up_ = kOpenHat;
+        add(time, KeyKind::rest, kOpenHat);
     }
 
     /// Silently, at most so late.

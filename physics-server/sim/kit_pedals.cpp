@@ -19,11 +19,13 @@ constexpr double kSpring = 4.0;       // torque when up, and twice as much when 
 constexpr double kFriction = 0.02;    // of the hinge [N m s]
 constexpr double kSole = 4e5;         // a sole's stiffness [N/m]
 constexpr double kSoleLoss = 600.0;   // and its damper [N s/m]
+constexpr double kRests = 12.0;       // a foot on what it keeps pressed, at least [N]
+constexpr double kMostPress = 400.0;  // [N]
 constexpr double kBelow = 0.10;       // a plate may be pressed so far beyond its mark [rad]
 constexpr double kAbove = 0.03;       // and rise [rad]
 
-int foot_of(const body::Skeleton& skeleton, score::Limb foot) {
-    return body::parts_of(skeleton, foot).segments.back();
+double spring(double up) {
+    return kSpring * (2.0 - up);
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ KitPedals::KitPedals(const score::Kit& kit, const std::vector<modal::Resonator>&
     const body::Skeleton skeleton = body::make_drummer(kit.drummer);
     plates_.resize(kit.pedals.size());
     for (std::size_t i = 0; i < plates_.size(); ++i) {
-        plates_[i].foot = foot_of(skeleton, kit.pedals[i].foot);
+        plates_[i].leg = body::parts_of(skeleton, kit.pedals[i].foot).segments;
         make(i, bodies[kit.pedals[i].object], world);
     }
 }
@@ -82,8 +84,7 @@ void KitPedals::make(std::size_t i, const modal::Resonator& body, OdeWorld& worl
 }
 
 double KitPedals::angle(const Plate& plate) const {
-    const double turned = dJointGetHingeAngle(plate.hinge);
-    return turned;
+    return dJointGetHingeAngle(plate.hinge);
 }
 
 double KitPedals::angle_rate(const Plate& plate) const {
@@ -102,11 +103,37 @@ void KitPedals::apply(double time, const OdeBody& body, const body::Placement& a
                       std::vector<ContactEvent>& contacts) {
     dJointGroupEmpty(touching_);
     for (std::size_t i = 0; i < plates_.size(); ++i) {
-        const double pressed = 1.0 - up(i);
-        const double spring = kSpring * (1.0 + pressed) - kFriction * angle_rate(plates_[i]);
-        dJointAddHingeTorque(plates_[i].hinge, spring);
+        dJointAddHingeTorque(plates_[i].hinge,
+                             spring(up(i)) - kFriction * angle_rate(plates_[i]));
         press(plates_[i], kit_.pedals[i], body, actual);
         drive(i, time, contacts);
+    }
+}
+
+void KitPedals::support(const Target& target, OdeBody& body) const {
+    constexpr double kPressed = 0.02;
+    for (std::size_t i = 0; i < plates_.size(); ++i) {
+        const score::Pedal& pedal = kit_.pedals[i];
+        const Plate& plate = plates_[i];
+        const auto up_in = [&](const body::Placement& placed) {
+            return body::pedal_up(body.skeleton(), placed, pedal);
+        };
+        const double up = up_in(target.placed_now);
+        double torque = spring(std::clamp(up, 0.0, 1.0));
+        if (!target.strikes[plate.leg.back()]) {
+            const double bend =
+                up_in(target.placed_before) - 2.0 * up + up_in(target.placed_after);
+            torque -= plate.inertia * (pedal.up - pedal.down) * bend / (h_ * h_);
+        }
+        const Vector3 ball = body::ball_of(body.skeleton(), target.placed_now, pedal.foot);
+        const double least = up < kPressed ? torque / (ball - pedal.heel).norm() + kRests : 0.0;
+        const double force =
+            std::clamp(torque / (ball - pedal.heel).norm(), std::max(0.0, least), kMostPress);
+        const Vector3 normal = orientation(plate.body) * Vector3::UnitZ();
+        for (const int segment : plate.leg) {
+            const Vector3 arm = ball - target.placed_now.joint[segment];
+            body.add_joint_torque(segment, arm.cross(-force * normal));
+        }
     }
 }
 
@@ -127,7 +154,7 @@ void KitPedals::press(const Plate& plate, const score::Pedal& pedal, const OdeBo
         contact.geom.normal[a] = normal[a];
     }
     const dJointID joint = dJointCreateContact(world_.id(), touching_, &contact);
-    dJointAttach(joint, body.segment(plate.foot), plate.body);
+    dJointAttach(joint, body.segment(plate.leg.back()), plate.body);
 }
 
 void KitPedals::drive(std::size_t i, double time, std::vector<ContactEvent>& contacts) {

@@ -15,6 +15,7 @@
 
 #include "body/drummer.hpp"
 #include "core/score/kit.hpp"
+#include "sim/controller.hpp"
 #include "sim/drumhead.hpp"
 #include "sim/ode_body.hpp"
 
@@ -34,6 +35,9 @@ class KitPedals {
     /// Let go: 0 pressed, 1 up; and its rate [1/s].
     [[nodiscard]] double up(std::size_t i) const;
     [[nodiscard]] double rate(std::size_t i) const;
+    /// What legs have to exert on their plates so that these go with the feet as `target` has them,
+    /// added to their joints for the step to come.
+    void support(const Target& target, OdeBody& body) const;
     /// Forces for the step from `time` to time + h: of springs, feet and what is driven. Contacts
     /// that have ended are appended, `drum` being the object.
     void apply(double time, const OdeBody& body, const body::Placement& actual,
@@ -43,9 +47,9 @@ class KitPedals {
     struct Plate {
         dBodyID body = nullptr;
         dJointID hinge = nullptr;
-        int foot = 0;         ///< segment
-        double inertia = 0.0; ///< about the hinge, with what it drives [kg m^2]
-        double gear = 0.0;    ///< of what it drives, way by angle [m]
+        std::vector<int> leg;  ///< segments, the foot last
+        double inertia = 0.0;  ///< about the hinge, with what it drives [kg m^2]
+        double gear = 0.0;     ///< of what it drives, way by angle [m]
         double last_rate = 0.0, last_torque = 0.0;  ///< of the contact, a step before
         std::unique_ptr<Drumhead> head;
     };

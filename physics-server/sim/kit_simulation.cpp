@@ -74,6 +74,7 @@ void KitSimulation::step(const body::Posture& posture, const LimbForecasts& fore
     lead_tips(forecasts);
     mark_contacts(forecasts);
     controller_.apply(target_);
+    pedals_.support(target_, body_);
     press_pedals(contacts);
     strike_faces(forecasts, contacts);
     surfaces_.apply();
@@ -81,6 +82,15 @@ void KitSimulation::step(const body::Posture& posture, const LimbForecasts& fore
     ++steps_;
     body_.read(actual_);
     target_.advance();
+}
+
+/// How far what an event strikes will have moved: the foot sees to it that the hi-hat is as open as
+/// the event has it.
+Vector3 KitSimulation::next_face(std::size_t event, const Vector3& spot, double left) const {
+    const score::HatState hat = kit_.events[event].hat;
+    if (hat == score::HatState::any) return surfaces_.moved(kit_.events[event].object, spot, left);
+    const double lift = hat == score::HatState::open ? body::kHatOpens * body::kOpenHat : 0.0;
+    return lift * kit_.object_of(event).normal();
 }
 
 void KitSimulation::lead_tips(const LimbForecasts& forecasts) {
@@ -95,8 +105,7 @@ void KitSimulation::lead_tips(const LimbForecasts& forecasts) {
         const bool held = now < forecasts[score::index(limb)].last.time + kStrikesAfter;
         if (left < kLeadTime && left > kLedBefore && !held) {
             const Vector3 spot = score::spot_of(kit_, next.event, limb);
-            const std::size_t object = kit_.events[next.event].object;
-            const Vector3 goal = surfaces_.moved(object, spot, left);
+            const Vector3 goal = next_face(next.event, spot, left);
             if ((goal - lead.goal()).norm() > kSameLead) {
                 lead.go(now, goal, std::max(kLeastLead, left - kLedBefore));
             }

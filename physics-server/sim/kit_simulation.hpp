@@ -74,6 +74,7 @@ class KitSimulation {
     [[nodiscard]] bool sane() const { return body_.sane(); }
 
   private:
+    [[nodiscard]] Vector3 next_face(std::size_t event, const Vector3& spot, double left) const;
     void lead_tips(const LimbForecasts& forecasts);
     void mark_contacts(const LimbForecasts& forecasts);
     void strike_faces(const LimbForecasts& forecasts, std::vector<KitContact>& contacts);
