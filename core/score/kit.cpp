@@ -112,7 +112,8 @@ Vector3 spot_of(const Kit& kit, std::size_t event, Limb hand) {
     const KitEvent& e = kit.events[event];
     const double side = hand == Limb::left_hand ? 0.5 : -0.5;
     const KitObject& object = kit.objects[e.object];
-    return object.middle + object.orientation() * Vector3(e.forward, e.left + side * e.apart, 0.0);
+    const double lift = e.hat == HatState::open ? kOpenHat * kHatOpens : 0.0;
+    return object.middle + object.orientation() * Vector3(e.forward, e.left + side * e.apart, lift);
 }
 
 void check(const Kit& kit) {

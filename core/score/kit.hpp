@@ -75,6 +75,11 @@ struct Pedal {
 enum class HatState { any, closed, open };
 inline constexpr std::array<std::string_view, 3> kHatStateNames{"any", "closed", "open"};
 
+/// How high the hi-hat's upper cymbal is with the pedal up [m], and how far of this way the foot
+/// lets it go for hands that play it open.
+inline constexpr double kHatOpens = 0.03;
+inline constexpr double kOpenHat = 0.8;
+
 /// A way in which an object is struck.
 struct KitEvent {
     std::string name;
@@ -170,7 +175,7 @@ struct Kit {
     [[nodiscard]] const Pedal* pedal_of(Limb foot) const;
 };
 
-/// Where the tip of a hand's stick meets the face, world [m].
+/// Where the tip of a hand's stick meets the face, world [m]; a hi-hat played open is that open.
 Vector3 spot_of(const Kit& kit, std::size_t event, Limb hand);
 
 /// Throws std::invalid_argument naming what cannot be: an index, a size, a limit, a preference.

@@ -77,11 +77,11 @@ std::string describe(const LeftOut& left_out, const Score& score);
 
 /// Impact speed [m/s] for a velocity in 0..1: 0.7 at 1/127, 4.5 at 1, strictly increasing.
 double impact_speed(double velocity);
+/// The same of a nuance, at most 6 m/s.
+double impact_speed(double velocity, Nuance nuance);
 /// The other way: the velocity of a note that is struck at a speed above 0 [m/s]; of one softer
 /// than the softest note below 1/127.
 double velocity_of_impact(double speed);
-/// The same of a nuance, at most 6 m/s.
-double impact_speed(double velocity, Nuance nuance);
 
 /// The height [m] a player with all the time in the world prepares a stroke of that speed from.
 double preparation_height(double speed);

@@ -157,6 +157,7 @@ class Animator {
         }
         files::write_text(options_.folder / "strokes.csv",
                           contacts_csv(kit_, score_, plan_.strokes, performance));
+        files::write_text(options_.folder / "contacts.csv", all_contacts_csv(kit_, performance));
         if (!options_.silent) write_sound(heard(kit_, plan_.strokes, performance));
     }
 

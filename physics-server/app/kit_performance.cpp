@@ -155,6 +155,22 @@ std::vector<KitStroke> heard(const score::Kit& kit, const std::vector<KitStroke>
     return all;
 }
 
+std::string all_contacts_csv(const score::Kit& kit, const KitPerformance& performance) {
+    std::vector<const char*> what(performance.contacts.size(), "stroke");
+    for (const std::size_t c : performance.bounces) what[c] = "bounce";
+    for (const std::size_t c : performance.closings) what[c] = "closing";
+    for (const std::size_t c : performance.strays) what[c] = "stray";
+    std::string text = "time_s,object,limb,what,speed_m_s,impulse_ns,peak_n,duration_ms\n";
+    for (std::size_t i = 0; i < what.size(); ++i) {
+        const KitContact& c = performance.contacts[i];
+        text += fmt::format("{:.6f},{},{},{},{:.3f},{:.5f},{:.1f},{:.2f}\n", c.contact.instant,
+                            kit.objects[c.object].name, score::name(c.limb), what[i],
+                            -c.contact.velocity.z(), c.contact.impulse, -c.contact.peak_force.z(),
+                            1e3 * c.contact.duration);
+    }
+    return text;
+}
+
 std::string contacts_csv(const score::Kit& kit, const score::Score& score,
                          const std::vector<KitStroke>& strokes,
                          const KitPerformance& performance) {

@@ -39,6 +39,10 @@ std::vector<score::KitStroke> heard(const score::Kit& kit,
                                     const std::vector<score::KitStroke>& strokes,
                                     const KitPerformance& performance);
 
+/// Every contact: "time_s,object,limb,what,speed_m_s,impulse_ns,peak_n,duration_ms"; what: stroke,
+/// bounce, closing or stray.
+std::string all_contacts_csv(const score::Kit& kit, const KitPerformance& performance);
+
 /// "time_s,bar,beat,key,event,object,limb,velocity,contact_s,late_ms,speed_m_s,off_mm,peak_n", a
 /// line a stroke; of one without a contact the last five are empty.
 std::string contacts_csv(const score::Kit& kit, const score::Score& score,

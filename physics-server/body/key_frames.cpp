@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "body/kit_motion.hpp"
-
 namespace percussionist::body {
 
 namespace {
@@ -213,10 +211,10 @@ class HatTrack {
     void open(double time) {
         if (up_ == 0.0) {
             add(time - kReady - kMove, KeyKind::rest, 0.0);
-            add(time - kReady, KeyKind::rest, kOpenHat);
+            add(time - kReady, KeyKind::rest, score::kOpenHat);
         }
-        up_ = kOpenHat;
-        add(time, KeyKind::rest, kOpenHat);
+        up_ = score::kOpenHat;
+        add(time, KeyKind::rest, score::kOpenHat);
     }
 
     /// Silently, at most so late.

@@ -66,7 +66,7 @@ void KitMotion::at(double t, const Skeleton& skeleton, const Placement& placemen
         ObjectState& state = states[pedal.object];
         state.pedal = pedal_up(skeleton, placement, pedal);
         if (kit_.objects[pedal.object].kind == score::ObjectKind::hi_hat) {
-            state.lift = kHatOpens * state.pedal;
+            state.lift = score::kHatOpens * state.pedal;
         } else {
             state.beater = kBeaterTurns * state.pedal;
         }

@@ -17,8 +17,6 @@
 
 namespace percussionist::body {
 
-inline constexpr double kHatOpens = 0.03;    ///< with the pedal up [m]
-inline constexpr double kOpenHat = 0.8;      ///< of the pedal's way, for hands that play it open
 inline constexpr double kBeaterTurns = 1.0;  ///< with the pedal up [rad]
 inline constexpr double kFlashTime = 0.08;   ///< [s]
 

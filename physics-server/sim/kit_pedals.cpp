@@ -21,6 +21,7 @@ constexpr double kSole = 4e5;         // a sole's stiffness [N/m]
 constexpr double kSoleLoss = 600.0;   // and its damper [N s/m]
 constexpr double kRests = 12.0;       // a foot on what it keeps pressed, at least [N]
 constexpr double kMostPress = 400.0;  // [N]
+constexpr double kTold = 0.03;        // a contact below this speed is none [m/s]
 constexpr double kBelow = 0.10;       // a plate may be pressed so far beyond its mark [rad]
 constexpr double kAbove = 0.03;       // and rise [rad]
 
@@ -53,7 +54,7 @@ void KitPedals::make(std::size_t i, const modal::Resonator& body, OdeWorld& worl
     const score::Pedal& pedal = kit_.pedals[i];
     Plate& plate = plates_[i];
     const double way = pedal.up - pedal.down;
-    plate.gear = (hat(i) ? body::kHatOpens : kBeaterArm * body::kBeaterTurns) / way;
+    plate.gear = (hat(i) ? score::kHatOpens : kBeaterArm * body::kBeaterTurns) / way;
     const double driven = hat(i) ? kHatMass : kBeaterMass;
     const double own = kPlateMass * pedal.length * pedal.length / 12.0;
     const double geared = driven * plate.gear * plate.gear;
@@ -173,6 +174,11 @@ void KitPedals::drive(std::size_t i, double time, std::vector<ContactEvent>& con
     plate.last_rate = rate;
     const std::size_t known = contacts.size();
     const double impulse = plate.head->step(time, tips, contacts)[0];
+    // What is kept pressed trembles: that is no stroke.
+    const auto first = contacts.begin() + static_cast<std::ptrdiff_t>(known);
+    contacts.erase(std::remove_if(first, contacts.end(),
+                                  [](const ContactEvent& c) { return c.velocity.z() > -kTold; }),
+                   contacts.end());
     for (std::size_t c = known; c < contacts.size(); ++c) {
         contacts[c].drum = static_cast<int>(kit_.pedals[i].object);
     }

@@ -39,7 +39,7 @@ class KitPedals {
     /// added to their joints for the step to come.
     void support(const Target& target, OdeBody& body) const;
     /// Forces for the step from `time` to time + h: of springs, feet and what is driven. Contacts
-    /// that have ended are appended, `drum` being the object.
+    /// that have ended are appended, `drum` being the object; slower than 3 cm/s they are none.
     void apply(double time, const OdeBody& body, const body::Placement& actual,
                std::vector<ContactEvent>& contacts);
 

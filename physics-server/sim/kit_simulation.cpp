@@ -84,13 +84,12 @@ void KitSimulation::step(const body::Posture& posture, const LimbForecasts& fore
     target_.advance();
 }
 
-/// How far what an event strikes will have moved: the foot sees to it that the hi-hat is as open as
+/// How far what an event strikes will have moved; the foot sees to it that the hi-hat is as open as
 /// the event has it.
 Vector3 KitSimulation::next_face(std::size_t event, const Vector3& spot, double left) const {
-    const score::HatState hat = kit_.events[event].hat;
-    if (hat == score::HatState::any) return surfaces_.moved(kit_.events[event].object, spot, left);
-    const double lift = hat == score::HatState::open ? body::kHatOpens * body::kOpenHat : 0.0;
-    return lift * kit_.object_of(event).normal();
+    const score::KitEvent& e = kit_.events[event];
+    if (e.hat != score::HatState::any) return Vector3::Zero();
+    return surfaces_.moved(e.object, spot, left);
 }
 
 void KitSimulation::lead_tips(const LimbForecasts& forecasts) {
@@ -178,8 +177,8 @@ void KitSimulation::press_pedals(std::vector<KitContact>& contacts) {
             if (object == pedal.object) tell(pedal.foot, object, event, contacts);
         }
         if (kit_.objects[pedal.object].kind == score::ObjectKind::hi_hat) {
-            surfaces_.lift(pedal.object, body::kHatOpens * pedals_.up(i),
-                           body::kHatOpens * pedals_.rate(i));
+            surfaces_.lift(pedal.object, score::kHatOpens * pedals_.up(i),
+                           score::kHatOpens * pedals_.rate(i));
         }
     }
 }
@@ -203,7 +202,7 @@ void KitSimulation::kit_state(std::vector<body::ObjectState>& states) const {
         body::ObjectState& state = states[pedals_.pedal(i).object];
         state.pedal = pedals_.up(i);
         if (kit_.objects[pedals_.pedal(i).object].kind == score::ObjectKind::hi_hat) {
-            state.lift = body::kHatOpens * state.pedal;
+            state.lift = score::kHatOpens * state.pedal;
         } else {
             state.beater = body::kBeaterTurns * state.pedal;
         }
