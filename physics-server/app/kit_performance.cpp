@@ -106,8 +106,7 @@ KitPerformance perform_on_kit(const score::Kit& kit, const std::vector<KitStroke
                               const body::KitAnimation& animation,
                               std::vector<modal::Resonator> bodies, double end,
                               const std::function<void(const sim::KitSimulation&)>& see) {
-    const double start =
-        std::min(0.0, (strokes.empty() ? 0.0 : strokes.front().time) - kLeadIn);
+    const double start = std::min(0.0, (strokes.empty() ? 0.0 : strokes.front().time) - kLeadIn);
     body::Posture posture(animation.skeleton());
     body::Placement placement(animation.skeleton());
     animation.at(start, posture, placement);
@@ -172,8 +171,7 @@ std::string all_contacts_csv(const score::Kit& kit, const KitPerformance& perfor
 }
 
 std::string contacts_csv(const score::Kit& kit, const score::Score& score,
-                         const std::vector<KitStroke>& strokes,
-                         const KitPerformance& performance) {
+                         const std::vector<KitStroke>& strokes, const KitPerformance& performance) {
     std::string text =
         "time_s,bar,beat,key,event,object,limb,velocity,contact_s,late_ms,speed_m_s,off_mm,"
         "peak_n\n";
@@ -227,10 +225,9 @@ std::vector<std::pair<std::string, std::string>> account_of(const score::Kit& ki
          fmt::format("{} = {} within 5 ms + {} later or earlier; {} strokes without a contact",
                      off.size(), off.size() - untimely, untimely, missed)},
         {"off its time", fmt::format("median {:.2f} ms, worst {}", 1e3 * median(off), worst)},
-        {"contacts besides",
-         fmt::format("{} bounces, {} silent closings of the hi-hat, {} strays",
-                     performance.bounces.size(), performance.closings.size(),
-                     performance.strays.size())},
+        {"contacts besides", fmt::format("{} bounces, {} silent closings of the hi-hat, {} strays",
+                                         performance.bounces.size(), performance.closings.size(),
+                                         performance.strays.size())},
         {"fastest tip",
          fmt::format("{:.1f} m/s, at {:.3f} s", performance.top_speed, performance.top_speed_at)},
         {"tip off its target", fmt::format("at most {:.1f} mm", 1e3 * performance.largest_error)},

@@ -13,8 +13,8 @@
 namespace percussionist::app {
 
 struct KitPerformance {
-    std::vector<sim::KitContact> contacts;             ///< in the order in which they ended
-    std::vector<std::optional<std::size_t>> of_stroke; ///< the contact of each stroke
+    std::vector<sim::KitContact> contacts;              ///< in the order in which they ended
+    std::vector<std::optional<std::size_t>> of_stroke;  ///< the contact of each stroke
     std::vector<std::size_t> bounces;   ///< contacts on what the limb struck last, none of a stroke
     std::vector<std::size_t> closings;  ///< of the hi-hat, silently, before a hand's stroke
     std::vector<std::size_t> strays;    ///< all other contacts

@@ -104,8 +104,7 @@ void KitPedals::apply(double time, const OdeBody& body, const body::Placement& a
                       std::vector<ContactEvent>& contacts) {
     dJointGroupEmpty(touching_);
     for (std::size_t i = 0; i < plates_.size(); ++i) {
-        dJointAddHingeTorque(plates_[i].hinge,
-                             spring(up(i)) - kFriction * angle_rate(plates_[i]));
+        dJointAddHingeTorque(plates_[i].hinge, spring(up(i)) - kFriction * angle_rate(plates_[i]));
         press(plates_[i], kit_.pedals[i], body, actual);
         drive(i, time, contacts);
     }
@@ -122,8 +121,7 @@ void KitPedals::support(const Target& target, OdeBody& body) const {
         const double up = up_in(target.placed_now);
         double torque = spring(std::clamp(up, 0.0, 1.0));
         if (!target.strikes[plate.leg.back()]) {
-            const double bend =
-                up_in(target.placed_before) - 2.0 * up + up_in(target.placed_after);
+            const double bend = up_in(target.placed_before) - 2.0 * up + up_in(target.placed_after);
             torque -= plate.inertia * (pedal.up - pedal.down) * bend / (h_ * h_);
         }
         const Vector3 ball = body::ball_of(body.skeleton(), target.placed_now, pedal.foot);

@@ -9,7 +9,8 @@
 // Beside Simulation, which finds its own paths for two sticks at one head, this one is led: by key
 // frames or by whatever gives a posture a step ahead. Body, muscles, tips and heads are the same.
 //
-// One thread; deterministic; step() takes no memory beyond what ODE keeps for itself and `contacts`.
+// One thread; deterministic; step() takes no memory beyond what ODE keeps for itself and
+// `contacts`.
 #pragma once
 
 #include <array>
@@ -93,7 +94,7 @@ class KitSimulation {
     KitSurfaces surfaces_;
     body::InverseKinematics kinematics_;
     std::array<StickTip, 2> tips_;
-    std::array<MovingPlace, 2> leads_;  ///< of tips against the posture asked for [m]
+    std::array<MovingPlace, 2> leads_;       ///< of tips against the posture asked for [m]
     std::array<std::vector<int>, 4> parts_;  ///< segments of each limb
     Target target_;
     body::Placement actual_;

@@ -8,10 +8,10 @@ namespace percussionist::sim {
 
 namespace {
 
-constexpr double kFineRate = 48000;  // [Hz]
-constexpr double kSwingRate = 1.3;   // [Hz]
-constexpr double kSwingTime = 0.9;   // [s]
-constexpr double kArealMass = 8.6;   // of a cymbal: bronze of a millimetre [kg/m^2]
+constexpr double kFineRate = 48000;   // [Hz]
+constexpr double kSwingRate = 1.3;    // [Hz]
+constexpr double kSwingTime = 0.9;    // [s]
+constexpr double kArealMass = 8.6;    // of a cymbal: bronze of a millimetre [kg/m^2]
 constexpr double kStickMass = 0.012;  // at the tip, by which elasticity is told [kg]
 constexpr double kStickSpeed = 2.5;   // [m/s]
 constexpr double kMostLoss = 3.0;     // dissipation [s/m]
@@ -63,8 +63,7 @@ void KitSurfaces::find_felts(const std::vector<modal::Resonator>& bodies, double
         modal::Mallet felt;
         felt.stiffness = event.stiffness;
         modal::StruckHead head(bodies[event.object], rate);
-        head.place(0, std::hypot(event.forward, event.left),
-                   std::atan2(event.left, event.forward));
+        head.place(0, std::hypot(event.forward, event.left), std::atan2(event.left, event.forward));
         felt.dissipation = loss_for(head, felt, event.elasticity);
         felts_.push_back(felt);
     }

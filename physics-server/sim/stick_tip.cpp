@@ -16,8 +16,7 @@ void StickTip::look(const OdeBody& body) {
     velocity_ = body.tip_velocity(hand_);
 }
 
-TouchingTip StickTip::against(const Face& face, const Drumhead& head,
-                              const body::Placement& actual,
+TouchingTip StickTip::against(const Face& face, const Drumhead& head, const body::Placement& actual,
                               const std::vector<double>& resistance, double h) {
     const Quaternion to_face = face.turn.conjugate();
     const Vector3 arm = position_ - face.middle;

@@ -13,10 +13,10 @@ namespace percussionist::sim {
 
 /// What is struck, at the beginning of a step, world.
 struct Face {
-    Vector3 middle = Vector3::Zero();           ///< [m]
-    Quaternion turn = Quaternion::Identity();   ///< its z is out of the face
-    Vector3 velocity = Vector3::Zero();         ///< of its middle [m/s]
-    Vector3 spin = Vector3::Zero();             ///< [rad/s]
+    Vector3 middle = Vector3::Zero();          ///< [m]
+    Quaternion turn = Quaternion::Identity();  ///< its z is out of the face
+    Vector3 velocity = Vector3::Zero();        ///< of its middle [m/s]
+    Vector3 spin = Vector3::Zero();            ///< [rad/s]
     [[nodiscard]] Vector3 normal() const { return turn * Vector3::UnitZ(); }
 };
 
