@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 
 namespace percussionist::osc {
@@ -162,5 +163,18 @@ using Command =
                  SongPosition, SongPause, Note, ShowPose, TurnJoint, SetScript, SaveKit, LoadScore,
                  Subscribe, Unsubscribe, Ping, Describe, AddRoute, ChangeRoute, RemoveRoute,
                  ListRoutes, SaveRoutes, Record>;
+
+/// Whether only a drummer at a whole kit can do it.
+inline bool needs_kit(const Command& command) {
+    return std::visit(
+        [](const auto& c) {
+            using Wish = std::decay_t<decltype(c)>;
+            return std::is_same_v<Wish, SongPosition> || std::is_same_v<Wish, SongPause> ||
+                   std::is_same_v<Wish, Note> || std::is_same_v<Wish, ShowPose> ||
+                   std::is_same_v<Wish, TurnJoint> || std::is_same_v<Wish, SetScript> ||
+                   std::is_same_v<Wish, SaveKit>;
+        },
+        command);
+}
 
 }  // namespace percussionist::osc

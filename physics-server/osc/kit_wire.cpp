@@ -39,7 +39,8 @@ Packet encode(const KitMessage& kit, double lookahead) {
 }
 
 Packet encode(const TickMessage& tick, double lookahead) {
-    return one_message(tick.wall + lookahead, "/tick", tick.time);
+    return one_message(tick.wall + lookahead, "/tick", tick.time,
+                       static_cast<float>(tick.position));
 }
 
 Packet encode(const NotedMessage& noted, double lookahead) {

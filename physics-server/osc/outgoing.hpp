@@ -136,10 +136,11 @@ struct KitMessage {
     std::vector<Event> events;
 };
 
-/// The server's time at which this is heard: what a place of a song is told by.
+/// The server's time at which this is heard, by which places of a song are told; and where it takes
+/// the song to be.
 struct TickMessage {
     double wall = 0.0;
-    double time = 0.0;  ///< [s]
+    double time = 0.0, position = 0.0;  ///< [s]
 };
 
 /// What became of a live note.
