@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/kit_figure.hpp"
 #include "core/score/stroke_plan.hpp"
 
 namespace percussionist::app {
@@ -33,7 +34,6 @@ std::array<float, 2> place_on(const score::KitEvent& event, score::Limb limb) {
 }
 
 osc::KitMessage::Pedal pedal_message(const score::Pedal& pedal, const score::Kit& kit) {
-    constexpr double kPivotAbove = 0.03;  // the plate's end [m]
     osc::KitMessage::Pedal p;
     p.object = static_cast<int>(pedal.object);
     p.heel = floats<3>(pedal.heel);
@@ -41,15 +41,10 @@ osc::KitMessage::Pedal pedal_message(const score::Pedal& pedal, const score::Kit
     p.direction = static_cast<float>(pedal.direction);
     p.down = static_cast<float>(pedal.down);
     p.up = static_cast<float>(pedal.up);
-    const score::KitObject& object = kit.objects[pedal.object];
-    const Vector3 along(std::cos(pedal.direction), std::sin(pedal.direction), 0.0);
-    const Vector3 pivot = pedal.heel + pedal.length * along + kPivotAbove * Vector3::UnitZ();
-    const Vector3 way = object.middle - pivot;
-    p.pivot = floats<3>(pivot);
-    if (object.kind == score::ObjectKind::drum) {
-        p.beater_length = static_cast<float>(way.norm());
-        p.beater_lean = static_cast<float>(std::atan2(way.dot(along), way.z()));
-    }
+    const Beater beater = beater_of(pedal, kit);
+    p.pivot = floats<3>(beater.pivot);
+    p.beater_length = static_cast<float>(beater.length);
+    p.beater_lean = static_cast<float>(beater.lean);
     return p;
 }
 
