@@ -135,7 +135,8 @@ osc::KitMessage kit_message(double time, const score::Kit& kit) {
     }
     for (const score::Pedal& p : kit.pedals) message.pedals.push_back(pedal_message(p, kit));
     for (const score::KitEvent& e : kit.events) {
-        message.events.push_back({e.name, static_cast<int>(e.object)});
+        message.events.push_back(
+            {e.name, static_cast<int>(e.object), static_cast<float>(e.t60)});
     }
     return message;
 }

@@ -33,7 +33,8 @@ Packet encode(const KitMessage& kit, double lookahead) {
     }
     number = 0;
     for (const KitMessage::Event& e : kit.events) {
-        lo_bundle_add_message(bundle.get(), "/kit/event", make_message(number++, e.name, e.object));
+        lo_bundle_add_message(bundle.get(), "/kit/event",
+                              make_message(number++, e.name, e.object, e.damping));
     }
     return serialise(bundle);
 }

@@ -129,6 +129,7 @@ struct KitMessage {
     struct Event {
         std::string name;
         std::int32_t object = 0;
+        float damping = 0;  ///< within which it ends the object's sound [s]; 0: it rings on
     };
     double wall = 0.0;
     std::vector<Object> objects;
