@@ -49,10 +49,12 @@ void draw(const KitScore& score, body::LiveDrummer& drummer, FilmList& list) {
 }  // namespace
 
 files::Audio kit_sound_with(const score::Kit& kit, std::vector<score::KitStroke> strokes,
-                            const std::filesystem::path& kit_folder,
-                            const std::filesystem::path& recording, double after) {
+                            const KitSoundAlong& along) {
+    const std::filesystem::path& recording = along.recording;
+    const double after = along.after;
     KitSoundOptions options;
-    options.folder = kit_folder;
+    options.folder = along.kit_folder;
+    options.rate = along.rate;
     options.duration = after + end_of(strokes);
     files::Audio song;
     if (!recording.empty()) {
@@ -93,8 +95,8 @@ int film_kit(const KitFilmOptions& options, const FilmOptions& film,
     const bool itself = options.audio.empty() && is_recording(options.score);
     files::write_wav(folder / "performance.wav",
                      kit_sound_with(drummer.kit(), score.strokes,
-                                    std::filesystem::path(options.kit).parent_path(),
-                                    itself ? options.score : options.audio, kLeadIn));
+                                    {std::filesystem::path(options.kit).parent_path(),
+                                     itself ? options.score : options.audio, kLeadIn}));
     return list.finish();
 }
 

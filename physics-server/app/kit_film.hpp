@@ -19,10 +19,15 @@ struct KitFilmOptions {
 int film_kit(const KitFilmOptions& options, const FilmOptions& film,
              const std::filesystem::path& folder);
 
-/// The sound of a plan's strokes, `after` seconds later than theirs, and with them that of a
-/// recording (none if `path` is empty), at its sample rate. Throws as reading it does.
+struct KitSoundAlong {
+    std::filesystem::path kit_folder;  ///< where mode files that the kit names are
+    std::filesystem::path recording;   ///< heard beside it; empty: none
+    double after = 0.0;                ///< so much later than its time all is [s]
+    int rate = 48000;                  ///< [Hz], where there is no recording, which has its own
+};
+
+/// The sound of a plan's strokes, and with it that of a recording. Throws as reading it does.
 files::Audio kit_sound_with(const score::Kit& kit, std::vector<score::KitStroke> strokes,
-                            const std::filesystem::path& kit_folder,
-                            const std::filesystem::path& recording, double after);
+                            const KitSoundAlong& along);
 
 }  // namespace percussionist::app
