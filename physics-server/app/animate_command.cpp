@@ -11,9 +11,9 @@
 #include "app/animate_files.hpp"
 #include "app/bvh_writer.hpp"
 #include "app/commands.hpp"
-#include "app/kit_picture.hpp"
 #include "app/kit_film.hpp"
 #include "app/kit_gltf.hpp"
+#include "app/kit_picture.hpp"
 #include "app/kit_sound.hpp"
 #include "app/progress.hpp"
 #include "app/score_loader.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kLongest = 4 * 3600.0;  // [s]
 constexpr double kGlbInterval = 1.0 / 60.0;
-constexpr double kRingOut = 3.0;         // after the last stroke [s]
+constexpr double kRingOut = 3.0;  // after the last stroke [s]
 
 struct AnimateOptions {
     std::filesystem::path score;
@@ -148,11 +148,10 @@ class Animator {
     }
 
     void write_sound() {
-        const files::Audio audio =
-            kit_sound_with(kit_, plan_.strokes,
-                           {.kit_folder = options_.kit.parent_path(),
-                            .recording = options_.audio,
-                            .rate = options_.sample_rate});
+        const files::Audio audio = kit_sound_with(kit_, plan_.strokes,
+                                                  {.kit_folder = options_.kit.parent_path(),
+                                                   .recording = options_.audio,
+                                                   .rate = options_.sample_rate});
         files::write_wav(options_.folder / "song.wav", audio);
         double peak = 0.0;
         for (const double sample : audio.samples) peak = std::max(peak, std::abs(sample));

@@ -85,18 +85,16 @@ Filmed film_drum(const FilmCommandOptions& options, const std::filesystem::path&
         list.stepped(simulation);
     }
     constexpr int kSampleRate = 48000;
-    files::write_wav(
-        work / "performance.wav",
-        drum_sound(performance.log(), simulation.time(), kSampleRate, options.simulation.head));
+    files::write_wav(work / "performance.wav", drum_sound(performance.log(), simulation.time(),
+                                                          kSampleRate, options.simulation.head));
     return {list.finish(), describe(performance.summary())};
 }
 
 void film(const FilmCommandOptions& options) {
     const TemporaryFolder work;
-    const Filmed filmed = options.kit ? Filmed{film_kit(*options.kit, options.film_options,
-                                                        work.path()),
-                                               ""}
-                                      : film_drum(options, work.path());
+    const Filmed filmed =
+        options.kit ? Filmed{film_kit(*options.kit, options.film_options, work.path()), ""}
+                    : film_drum(options, work.path());
     files::write_text(work.path() / "size.txt", std::to_string(filmed.pictures));
     run({(options.project / "scripts" / "film-pictures").string(), work.path().string(),
          std::to_string(options.film_options.rate), options.film.string()});

@@ -48,10 +48,10 @@ Mesh cymbal(double up, double at) {
         outline.push_back({p->radius, p->height - kThick});
     }
     outline.insert(outline.end(), above.begin(), above.end());
-    return files::transformed(turned(outline),
-                              Eigen::Affine3d(Eigen::Translation3d(0.0, 0.0, at) *
-                                              Eigen::AngleAxisd(up < 0.0 ? std::numbers::pi : 0.0,
-                                                                Vector3::UnitX())));
+    return files::transformed(
+        turned(outline),
+        Eigen::Affine3d(Eigen::Translation3d(0.0, 0.0, at) *
+                        Eigen::AngleAxisd(up < 0.0 ? std::numbers::pi : 0.0, Vector3::UnitX())));
 }
 
 Mesh drum_metal() {
@@ -90,9 +90,8 @@ Mesh tripod() {
 
 Mesh plate() {
     // A square turned on the lathe, its sides along x and y, 1 long and 9 cm wide.
-    const Eigen::Affine3d to(
-        Eigen::Translation3d(0.5, 0.0, 0.0) * Eigen::Scaling(1.0, 0.09, 1.0) *
-        Eigen::AngleAxisd(0.25 * std::numbers::pi, Vector3::UnitZ()));
+    const Eigen::Affine3d to(Eigen::Translation3d(0.5, 0.0, 0.0) * Eigen::Scaling(1.0, 0.09, 1.0) *
+                             Eigen::AngleAxisd(0.25 * std::numbers::pi, Vector3::UnitZ()));
     return files::transformed(cylinder(std::sqrt(0.5), -0.012, 0.0, kBox), to);
 }
 
@@ -123,7 +122,7 @@ void put(files::SceneNode& node, const files::SceneNode& shape, const Eigen::Aff
     }
 }
 
-constexpr double kUpright = 0.5;  // of a face, or it stands on its own: its normal's z
+constexpr double kUpright = 0.5;     // of a face, or it stands on its own: its normal's z
 constexpr double kSeatBelow = 0.08;  // the hip joints [m]
 
 class KitScene {
@@ -204,15 +203,16 @@ std::vector<files::SceneNode> kit_shapes() {
         const std::string name = "kit-" + std::string(score::kObjectKindNames[kind]);
         all.push_back(shape(name.c_str(), looks_of(static_cast<score::ObjectKind>(kind))));
     }
-    Mesh cushion = turned({{0.0, 0.90}, {0.15, 0.90}, {0.165, 0.93}, {0.165, 0.98}, {0.15, 1.0},
-                           {0.0, 1.0}});
+    Mesh cushion =
+        turned({{0.0, 0.90}, {0.15, 0.90}, {0.165, 0.93}, {0.165, 0.98}, {0.15, 1.0}, {0.0, 1.0}});
     all.push_back(shape("kit-rod", {{kSteel, cylinder(0.009, 0.0, 1.0, kFewSlices)}}));
     all.push_back(shape("kit-tripod", {{kSteel, tripod()}}));
     all.push_back(shape("kit-pedal", {{kSteel, plate()}}));
-    all.push_back(shape("kit-beater", {{kFelt, files::turned(files::ball(0.028, -0.028, 6), kFewSlices)}}));
-    all.push_back(shape("kit-seat", {{kLeather, cushion},
-                                     {kSteel, cylinder(0.02, 0.0, 0.9, kFewSlices)},
-                                     {kSteel, tripod()}}));
+    all.push_back(
+        shape("kit-beater", {{kFelt, files::turned(files::ball(0.028, -0.028, 6), kFewSlices)}}));
+    all.push_back(shape(
+        "kit-seat",
+        {{kLeather, cushion}, {kSteel, cylinder(0.02, 0.0, 0.9, kFewSlices)}, {kSteel, tripod()}}));
     return all;
 }
 

@@ -9,8 +9,8 @@
 
 namespace percussionist::app {
 
-/// Each kind of object as kit-KIND (face, body, metal), its radius and depth 1, its face's middle in
-/// the origin, the face upwards; kit-rod (upwards, 1 long), kit-pedal (forward, 1 long), and in
+/// Each kind of object as kit-KIND (face, body, metal), its radius and depth 1, its face's middle
+/// in the origin, the face upwards; kit-rod (upwards, 1 long), kit-pedal (forward, 1 long), and in
 /// metres kit-tripod, kit-beater, kit-seat (1 high).
 std::vector<files::SceneNode> kit_shapes();
 

@@ -75,8 +75,7 @@ files::Audio kit_sound_with(const score::Kit& kit, std::vector<score::KitStroke>
         for (std::size_t side = 0; side < 2; ++side) {
             const std::size_t at = 2 * (first + i) + side;
             if (at >= all.samples.size()) break;
-            all.samples[at] +=
-                kBeside * song.samples[channels * i + std::min(side, channels - 1)];
+            all.samples[at] += kBeside * song.samples[channels * i + std::min(side, channels - 1)];
         }
     }
     return all;

@@ -1,5 +1,5 @@
-// The motion of a drummer and of his kit as a glTF file: the figure, what stands about him, and each
-// frame's posture, swings and pedals.
+// The motion of a drummer and of his kit as a glTF file: the figure, what stands about him, and
+// each frame's posture, swings and pedals.
 #pragma once
 
 #include <filesystem>

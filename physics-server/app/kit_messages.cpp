@@ -53,8 +53,7 @@ osc::KitMessage::Pedal pedal_message(const score::Pedal& pedal, const score::Kit
 osc::ContactMessage contact_message(const body::KitContact& contact, const score::Kit& kit) {
     const score::KitEvent& event = kit.events[contact.event];
     const double speed = score::impact_speed(contact.velocity);
-    const double depth =
-        std::pow(1.25 * event.mass * speed * speed / event.stiffness, 0.4);  // [m]
+    const double depth = std::pow(1.25 * event.mass * speed * speed / event.stiffness, 0.4);  // [m]
     osc::ContactMessage m;
     m.hand = static_cast<int>(contact.limb);
     m.drum = static_cast<int>(event.object);
@@ -135,8 +134,7 @@ osc::KitMessage kit_message(double time, const score::Kit& kit) {
     }
     for (const score::Pedal& p : kit.pedals) message.pedals.push_back(pedal_message(p, kit));
     for (const score::KitEvent& e : kit.events) {
-        message.events.push_back(
-            {e.name, static_cast<int>(e.object), static_cast<float>(e.t60)});
+        message.events.push_back({e.name, static_cast<int>(e.object), static_cast<float>(e.t60)});
     }
     return message;
 }
@@ -155,8 +153,8 @@ std::vector<osc::StateMessage::Item> pose_items(const body::LiveDrummer& drummer
         const std::string& joint =
             drummer.skeleton().segments[poses.parts(shown->limb).segments[j]].joint;
         const Vector3 angles = body::euler_zyx(pose[j]);
-        items.push_back({"joint",
-                         {joint.substr(joint.find('_') + 1), angles[0], angles[1], angles[2]}});
+        items.push_back(
+            {"joint", {joint.substr(joint.find('_') + 1), angles[0], angles[1], angles[2]}});
     }
     return items;
 }

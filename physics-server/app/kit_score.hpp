@@ -23,8 +23,8 @@ KitScore load_kit_score(const std::filesystem::path& path, const score::Kit& kit
 score::Kit load_kit(const std::filesystem::path& path);
 std::string kit_text(const std::filesystem::path& path);
 
-/// A kit's text with its scripts and poses as `kit` has them: those of its own lines that say others
-/// are left out, theirs are added.
+/// A kit's text with its scripts and poses as `kit` has them: those of its own lines that say
+/// others are left out, theirs are added.
 std::string kit_text_with(const std::string& text, const score::Kit& kit);
 
 }  // namespace percussionist::app

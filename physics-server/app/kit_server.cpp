@@ -252,7 +252,10 @@ bool KitServer::edit(const osc::Command& command) {
     } else if (const auto* turn = std::get_if<osc::TurnJoint>(&command)) {
         const auto& shown = drummer_.shown();
         if (!shown) throw std::invalid_argument("no pose is shown; /pose/show chooses one");
-        drummer_.edit(score::PoseEdit{shown->limb, shown->event, shown->up, turn->joint,
+        drummer_.edit(score::PoseEdit{shown->limb,
+                                      shown->event,
+                                      shown->up,
+                                      turn->joint,
                                       {turn->angles[0], turn->angles[1], turn->angles[2]}});
     } else if (const auto* script = std::get_if<osc::SetScript>(&command)) {
         drummer_.edit(files::parse_script(script->line));

@@ -50,10 +50,9 @@ KitAnimation::KitAnimation(const score::Kit& kit, std::span<const KitStroke> str
 void KitAnimation::lay() {
     limbs_.clear();
     for (const Limb limb : {Limb::left_hand, Limb::right_hand, Limb::left_foot, Limb::right_foot}) {
-        std::vector<KeyFrame> keys =
-            !score::is_hand(limb) && plays_hat(kit_, limb)
-                ? hat_key_frames(poses_, kit_, limb, strokes_)
-                : key_frames(poses_, kit_, limb, of_limb(strokes_, limb));
+        std::vector<KeyFrame> keys = !score::is_hand(limb) && plays_hat(kit_, limb)
+                                         ? hat_key_frames(poses_, kit_, limb, strokes_)
+                                         : key_frames(poses_, kit_, limb, of_limb(strokes_, limb));
         limbs_.emplace_back(skeleton_, kit_, poses_.parts(limb), std::move(keys));
     }
 }

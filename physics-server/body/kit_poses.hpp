@@ -46,7 +46,8 @@ class KitPoses {
     [[nodiscard]] const std::optional<StrikePoses>& of(score::Limb limb, std::size_t event) const {
         return strikes_[index(limb)][event];
     }
-    /// Another pose in place of one. Throws std::invalid_argument for a joint the limb does not have.
+    /// Another pose in place of one. Throws std::invalid_argument for a joint the limb does not
+    /// have.
     void edit(const score::PoseEdit& edit);
     /// Waiting.
     [[nodiscard]] const LimbPose& rest(score::Limb limb) const { return rest_[index(limb)]; }

@@ -21,11 +21,11 @@ constexpr double kLeastLift = 0.2;      // of UP
 constexpr double kLingers = 0.6;        // above what was struck [s]
 constexpr double kDearWait = 20.0;      // of the burden, a second's wait
 constexpr double kDearCrossing = 4.0;
-constexpr double kHatOpen = 0.8;      // of the pedal's way
-constexpr double kHatReady = 0.005;   // before the hand strikes [s]
-constexpr double kHatStays = 1.2;     // [s]
-constexpr double kTogether = 1e-9;    // rounding, of times [s]
-constexpr double kToReturn = 0.03;    // more than the way takes, to a stroke of the song [s]
+constexpr double kHatOpen = 0.8;     // of the pedal's way
+constexpr double kHatReady = 0.005;  // before the hand strikes [s]
+constexpr double kHatStays = 1.2;    // [s]
+constexpr double kTogether = 1e-9;   // rounding, of times [s]
+constexpr double kToReturn = 0.03;   // more than the way takes, to a stroke of the song [s]
 constexpr double kShareOfReturn = 0.3;
 
 /// With its reach noted.
@@ -58,8 +58,8 @@ void LiveDrummer::load(std::vector<score::KitStroke> strokes) {
 void LiveDrummer::build() {
     std::vector<LimbState> limbs;
     for (const Limb limb : kLimbs) {
-        LimbState state{LiveLimb(skeleton(), kit_, animation_->poses().parts(limb)), {}, {}, now_,
-                        {}};
+        LimbState state{
+            LiveLimb(skeleton(), kit_, animation_->poses().parts(limb)), {}, {}, now_, {}};
         for (std::size_t i = 0; i < strokes_.size(); ++i) {
             if (strokes_[i].limb == limb) state.strokes.push_back(i);
         }
@@ -98,9 +98,8 @@ void LiveDrummer::settle(Limb limb, double now) {
     state.ready = now;
     for (auto next = next_in_song(limb); song_.rate > 0.0 && next != state.strokes.end(); ++next) {
         const double left = due(*next) - now;
-        const double needed =
-            std::max(kShortest, way(limb, strokes_[*next].event) / kit_.limits.speed +
-                                    kit_.limits.settling);
+        const double needed = std::max(
+            kShortest, way(limb, strokes_[*next].event) / kit_.limits.speed + kit_.limits.settling);
         if (left < needed) continue;
         within = std::min(kGentle, left);
         state.ready = due(*next) - kit_.limits.settling;
@@ -217,9 +216,8 @@ double LiveDrummer::burden(Limb hand, std::size_t event, double time) const {
     const score::HandHit hit{time, 0.5, 1.0, event};
     const Past& own = of(hand).past;
     const Past& other = of(score::other_hand(hand)).past;
-    const score::Effort effort =
-        effort_.of(hit, hand, {own.any ? &own.hit : nullptr, own.bounced},
-                   {other.any ? &other.hit : nullptr, other.bounced});
+    const score::Effort effort = effort_.of(hit, hand, {own.any ? &own.hit : nullptr, own.bounced},
+                                            {other.any ? &other.hit : nullptr, other.bounced});
     const bool crosses = effort.obstacle == score::Obstacle::crossing;
     return effort.total() + kDearWait * (time - now_) + (crosses ? kDearCrossing : 0.0);
 }
@@ -266,8 +264,8 @@ std::vector<KeyFrame> LiveDrummer::keys(Limb limb, const KitContact& contact) co
                         blend(poses.down, poses.up, std::max(contact.velocity, kLeastLift))});
     } else if (room > kRoomToLift) {
         const double lift = std::clamp(contact.velocity, kLeastLift, 0.5 * room / times.fall);
-        keys.push_back({contact.time - 0.5 * room, KeyKind::merged,
-                        blend(poses.down, poses.up, lift)});
+        keys.push_back(
+            {contact.time - 0.5 * room, KeyKind::merged, blend(poses.down, poses.up, lift)});
     }
     const double released = contact.time + times.held;
     const double bounce =
@@ -308,10 +306,10 @@ void LiveDrummer::work_hat(const score::KitEvent& event, double time) {
 }
 
 void LiveDrummer::show(const std::optional<ShownPose>& pose) {
-    if (pose && (pose->event >= kit_.events.size() ||
-                 !animation_->poses().of(pose->limb, pose->event))) {
-        throw std::invalid_argument("expected an event that the " +
-                                    std::string(name(pose->limb)) + " plays");
+    if (pose &&
+        (pose->event >= kit_.events.size() || !animation_->poses().of(pose->limb, pose->event))) {
+        throw std::invalid_argument("expected an event that the " + std::string(name(pose->limb)) +
+                                    " plays");
     }
     shown_ = pose;
 }

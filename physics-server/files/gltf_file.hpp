@@ -1,9 +1,10 @@
 // Motion and what moves as glTF 2.0, in one binary file (.glb): Blender and other programs open it.
 //
 // Nodes form a tree; the first few of them turn about their own place, frame by frame, and the
-// first one, and those that `shifted` names, move as well. Our world (x to the front, y to the left, z up) becomes glTF's (z to the
-// front, x to the left, y up), which is a change of names and of no number; metres and seconds
-// stay. Colours are given as seen (sRGB) and written as light (linear).
+// first one, and those that `shifted` names, move as well. Our world (x to the front, y to the
+// left, z up) becomes glTF's (z to the front, x to the left, y up), which is a change of names and
+// of no number; metres and seconds stay. Colours are given as seen (sRGB) and written as light
+// (linear).
 //
 // Source: Khronos, "glTF 2.0 Specification", the parts of the same names.
 #pragma once

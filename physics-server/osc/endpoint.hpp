@@ -41,8 +41,8 @@ struct Heard {
     std::string address;
     std::vector<Argument> arguments;
     Peer sender;
-    double wall = 0.0;              ///< when it was heard [s]
-    std::optional<double> tag{};    ///< of its bundle, by the sender's wall clock [s]
+    double wall = 0.0;            ///< when it was heard [s]
+    std::optional<double> tag{};  ///< of its bundle, by the sender's wall clock [s]
 };
 
 class Endpoint {

@@ -32,7 +32,8 @@ std::string line(Arguments arguments) {
     std::string text;
     for (const Argument& a : arguments) {
         const auto* number = std::get_if<double>(&a);
-        text += number != nullptr ? fmt::format("{:.6g} ", *number) : std::get<std::string>(a) + ' ';
+        text +=
+            number != nullptr ? fmt::format("{:.6g} ", *number) : std::get<std::string>(a) + ' ';
     }
     return text;
 }

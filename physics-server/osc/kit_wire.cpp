@@ -17,19 +17,17 @@ Packet encode(const KitMessage& kit, double lookahead) {
     Bundle bundle = make_bundle(kit.wall + lookahead);
     std::int32_t number = 0;
     for (const KitMessage::Object& o : kit.objects) {
-        lo_bundle_add_message(
-            bundle.get(), "/kit/object",
-            make_message(number++, o.name, o.kind, o.middle[0], o.middle[1], o.middle[2],
-                         o.orientation[0], o.orientation[1], o.orientation[2], o.orientation[3],
-                         o.radius, o.depth));
+        lo_bundle_add_message(bundle.get(), "/kit/object",
+                              make_message(number++, o.name, o.kind, o.middle[0], o.middle[1],
+                                           o.middle[2], o.orientation[0], o.orientation[1],
+                                           o.orientation[2], o.orientation[3], o.radius, o.depth));
     }
     number = 0;
     for (const KitMessage::Pedal& p : kit.pedals) {
-        lo_bundle_add_message(
-            bundle.get(), "/kit/pedal",
-            make_message(number++, p.object, p.heel[0], p.heel[1], p.heel[2], p.length, p.direction,
-                         p.down, p.up, p.pivot[0], p.pivot[1], p.pivot[2], p.beater_length,
-                         p.beater_lean));
+        lo_bundle_add_message(bundle.get(), "/kit/pedal",
+                              make_message(number++, p.object, p.heel[0], p.heel[1], p.heel[2],
+                                           p.length, p.direction, p.down, p.up, p.pivot[0],
+                                           p.pivot[1], p.pivot[2], p.beater_length, p.beater_lean));
     }
     number = 0;
     for (const KitMessage::Event& e : kit.events) {

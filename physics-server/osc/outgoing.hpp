@@ -153,7 +153,7 @@ struct NotedMessage {
 
 using Outgoing =
     std::variant<ContactMessage, StrikeMessage, PoseMessage, SceneMessage, StatusMessage,
-                 StateMessage, StartedMessage, FinishedMessage, DroppedMessage, ObjectsMessage, KitMessage,
-                 TickMessage, NotedMessage>;
+                 StateMessage, StartedMessage, FinishedMessage, DroppedMessage, ObjectsMessage,
+                 KitMessage, TickMessage, NotedMessage>;
 
 }  // namespace percussionist::osc

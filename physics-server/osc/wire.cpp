@@ -15,11 +15,10 @@ Bundle contact_bundle(const ContactMessage& c, double lookahead) {
     Bundle bundle = make_bundle(c.wall + lookahead);
     const float r = std::hypot(c.place[0], c.place[1]);
     const float theta = std::atan2(c.place[1], c.place[0]);
-    lo_message message =
-        make_message(c.sequence, c.hand, c.drum, c.stroke, c.instant, c.place[0], c.place[1], r,
-                     theta, c.velocity[0], c.velocity[1], c.velocity[2], c.force[0], c.force[1],
-                     c.force[2], c.impulse, c.duration, c.mass,
-                     static_cast<std::int32_t>(c.recontact));
+    lo_message message = make_message(c.sequence, c.hand, c.drum, c.stroke, c.instant, c.place[0],
+                                      c.place[1], r, theta, c.velocity[0], c.velocity[1],
+                                      c.velocity[2], c.force[0], c.force[1], c.force[2], c.impulse,
+                                      c.duration, c.mass, static_cast<std::int32_t>(c.recontact));
     if (c.event >= 0) {
         add(message, c.event);
         add(message, c.event_name);

@@ -82,7 +82,8 @@ TEST_CASE("song clock: a seek is one jump, to there and nowhere between; then it
             if (i % 50 == 1) clock.told(now, now, 10.0 + now + moved);
             const score::SongStep step = clock.advance(now);
             if (step.jumped && i > 1) ++jumps;
-            if (i > 2050) REQUIRE(clock.position() == doctest::Approx(now + to - 2.0).epsilon(1e-6));
+            if (i > 2050)
+                REQUIRE(clock.position() == doctest::Approx(now + to - 2.0).epsilon(1e-6));
         }
         CHECK(jumps == 1);
     }

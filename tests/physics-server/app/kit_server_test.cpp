@@ -128,7 +128,8 @@ TEST_CASE("kit server: told where a song is it goes on from there; paused it sta
     CHECK(kit.server().position() == 7.0);
 }
 
-TEST_CASE("kit server: a pose is shown, turned and saved with the kit; the name stays in the folder") {
+TEST_CASE(
+    "kit server: a pose is shown, turned and saved with the kit; the name stays in the folder") {
     const auto folder = std::filesystem::temp_directory_path() / "percussionist-kits";
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
@@ -138,12 +139,14 @@ TEST_CASE("kit server: a pose is shown, turned and saved with the kit; the name 
     OscListener editor(kit.port());
     subscribe(editor, "sound");
     REQUIRE(editor.hears("/status"));
-    editor.send(osc::encode_message("/pose/joint", std::vector<osc::Argument>{"elbow", .1, .2, .3}));
+    editor.send(
+        osc::encode_message("/pose/joint", std::vector<osc::Argument>{"elbow", .1, .2, .3}));
     REQUIRE(editor.hears("/error", 1));
     editor.send("/pose/show", {"right-hand", "kick", "up"});
     REQUIRE(editor.hears("/error", 2));
     editor.send("/pose/show", {"right-hand", "ride", "up"});
-    editor.send(osc::encode_message("/pose/joint", std::vector<osc::Argument>{"elbow", .1, .2, .3}));
+    editor.send(
+        osc::encode_message("/pose/joint", std::vector<osc::Argument>{"elbow", .1, .2, .3}));
     editor.send(osc::encode_message(
         "/script", std::vector<osc::Argument>{"wrist", "down", 0.0, 0.25, 0.5, 1.0}));
     editor.send("/kit/save", {"mine"});

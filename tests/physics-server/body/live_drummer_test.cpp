@@ -15,7 +15,6 @@ using score::Limb;
 using score::SongClock;
 using score::SongStep;
 
-
 namespace {
 
 constexpr double kStep = 0.002;
@@ -55,8 +54,10 @@ std::vector<score::KitStroke> groove(const score::Kit& kit, int count, double ap
     for (int i = 0; i < count; ++i) {
         const double time = apart * i;
         strokes.push_back({time, Limb::right_hand, event("hat"), 0.6, 0, false, {}});
-        if (i % 4 == 2) strokes.push_back({time, Limb::left_hand, event("snare"), 0.9, 0, false, {}});
-        if (i % 4 == 0) strokes.push_back({time, Limb::right_foot, event("kick"), 0.8, 0, false, {}});
+        if (i % 4 == 2)
+            strokes.push_back({time, Limb::left_hand, event("snare"), 0.9, 0, false, {}});
+        if (i % 4 == 0)
+            strokes.push_back({time, Limb::right_foot, event("kick"), 0.8, 0, false, {}});
     }
     return strokes;
 }
@@ -146,9 +147,9 @@ TEST_CASE("live drummer: a live note is struck by a limb that is there, no faste
         const body::LiveStroke stroke = p.drummer.strike(event, 0.7, false);
         REQUIRE(stroke.limb);
         if (kit.events[event].foot) CHECK(*stroke.limb == *kit.events[event].foot);
-        const double way =
-            (p.drummer.animation().limb_point(before, *stroke.limb, event) -
-             p.drummer.animation().target(*stroke.limb, event)).norm();
+        const double way = (p.drummer.animation().limb_point(before, *stroke.limb, event) -
+                            p.drummer.animation().target(*stroke.limb, event))
+                               .norm();
         CHECK(stroke.time - p.now >= 0.040 - 1e-9);
         if (score::is_hand(*stroke.limb)) CHECK(way / (stroke.time - p.now) <= kit.limits.speed);
         CHECK(stroke.time - p.now <= 0.35);
@@ -204,8 +205,8 @@ TEST_CASE("live drummer: a pose that is edited holds from the next step on, and 
     p.drummer.show(body::ShownPose{Limb::right_hand, *p.drummer.kit().event_named("snare"), true});
     p.run(0.01);
     const auto before = p.drummer.placement();
-    score::PoseEdit edit{Limb::right_hand, *p.drummer.kit().event_named("snare"), true, "elbow",
-                         {0.1, 0.2, 0.3}};
+    score::PoseEdit edit{
+        Limb::right_hand, *p.drummer.kit().event_named("snare"), true, "elbow", {0.1, 0.2, 0.3}};
     p.drummer.edit(edit);
     p.run(0.01);
     const int forearm = p.drummer.skeleton().index("right_forearm");
