@@ -12,6 +12,8 @@
 #include "app/bvh_writer.hpp"
 #include "app/commands.hpp"
 #include "app/kit_performance.hpp"
+#include "app/kit_film.hpp"
+#include "app/kit_gltf.hpp"
 #include "app/kit_picture.hpp"
 #include "app/kit_sound.hpp"
 #include "app/progress.hpp"
@@ -25,13 +27,15 @@ namespace percussionist::app {
 namespace {
 
 constexpr double kLongest = 4 * 3600.0;  // [s]
-constexpr double kRingOut = 3.0;         // after the last stroke [s]
+constexpr double kGlbInterval = 1.0 / 60.0;
+constexpr double kRingOut = 3.0;  // after the last stroke [s]
 
 struct AnimateOptions {
     std::filesystem::path score;
     std::filesystem::path folder;
     std::filesystem::path kit;
     std::filesystem::path write_kit;
+    std::filesystem::path audio;
     double frames = 240.0;  ///< a second [Hz]
     int sample_rate = 48000;
     bool silent = false;
@@ -94,6 +98,8 @@ class Animator {
   private:
     void write_motion() {
         Progress progress("frames");
+        KitGltf gltf(animation_->skeleton(), kit_);
+        double next_glb = 0.0;
         BvhWriter bvh(options_.folder / "motion.bvh", animation_->skeleton(),
                       1.0 / options_.frames);
         ObjectsWriter objects(options_.folder / "objects.csv", kit_);
@@ -109,10 +115,15 @@ class Animator {
             watch.see(time, placement);
             bvh.add(placement);
             objects.add(time, states);
+            if (time >= next_glb) {
+                gltf.add(time, placement, states);
+                next_glb += kGlbInterval;
+            }
             progress.tell(static_cast<double>(i) / static_cast<double>(count));
         }
         bvh.finish();
         objects.finish();
+        gltf.write(options_.folder / "motion.glb");
         progress.done();
         account_.line("fastest tip", fmt::format("{:.1f} m/s, at {:.3f} s", watch.top_speed(),
                                                  watch.top_speed_at()));
@@ -126,6 +137,8 @@ class Animator {
         BvhWriter bvh(options_.folder / "motion.bvh", animation_->skeleton(),
                       1.0 / options_.frames);
         ObjectsWriter objects(options_.folder / "objects.csv", kit_);
+        KitGltf gltf(animation_->skeleton(), kit_);
+        double next_glb = 0.0;
         std::vector<body::ObjectState> states;
         std::vector<double> pictures = options_.pictures;
         std::size_t frames = 0;
@@ -138,6 +151,10 @@ class Animator {
                     now.kit_state(states);
                     bvh.add(now.placement());
                     objects.add(time, states);
+                    if (time >= next_glb) {
+                        gltf.add(time, now.placement(), states);
+                        next_glb += kGlbInterval;
+                    }
                     ++frames;
                     progress.tell(now.time() / duration_);
                 }
@@ -150,6 +167,7 @@ class Animator {
             });
         bvh.finish();
         objects.finish();
+        gltf.write(options_.folder / "motion.glb");
         progress.done();
         if (!performance.sane) throw std::runtime_error("the simulation has gone astray");
         for (const auto& [what, value] : account_of(kit_, plan_.strokes, performance)) {
@@ -189,14 +207,11 @@ class Animator {
     }
 
     void write_sound(const std::vector<score::KitStroke>& strokes) {
-        Progress progress("sound");
-        KitSoundOptions sound;
-        sound.rate = options_.sample_rate;
-        sound.duration = duration_;
-        sound.folder = options_.kit.parent_path();
-        const files::Audio audio = kit_sound(kit_, strokes, sound, progress.teller());
+        const files::Audio audio = kit_sound_with(kit_, strokes,
+                                                  {.kit_folder = options_.kit.parent_path(),
+                                                   .recording = options_.audio,
+                                                   .rate = options_.sample_rate});
         files::write_wav(options_.folder / "song.wav", audio);
-        progress.done();
         double peak = 0.0;
         for (const double sample : audio.samples) peak = std::max(peak, std::abs(sample));
         account_.line("peak level", fmt::format("{:.3f}", peak));
@@ -260,8 +275,8 @@ void add_animate_command(CLI::App& program) {
     auto options = std::make_shared<AnimateOptions>();
     CLI::App& command = *program.add_subcommand(
         "animate",
-        "a drummer plays a score on a whole kit, key-framed, into files: motion.bvh, objects.csv, "
-        "strokes.csv, keys.csv, report.txt, song.wav");
+        "a drummer plays a score on a whole kit, key-framed, into files: motion.bvh, motion.glb, "
+        "objects.csv, strokes.csv, keys.csv, report.txt, song.wav");
     command.add_option("score", options->score,
                        "a MIDI or MusicXML file, or a recording whose drums are played");
     command.add_option("-o,--output", options->folder, "folder for the files")->required();
@@ -281,8 +296,14 @@ void add_animate_command(CLI::App& program) {
     command.add_flag("--simulated", options->simulated,
                      "the body, its sticks and pedals as physics has them, at 1000 steps a second: "
                      "contacts and rebounds are real");
+    command.add_option("--audio", options->audio,
+                       "a recording that is in song.wav beside the kit, which has its sample rate; "
+                       "without a score its drums are played");
     command.add_flag("--silent", options->silent, "no song.wav");
-    command.callback([options] { animate(*options); });
+    command.callback([options] {
+        if (options->score.empty()) options->score = options->audio;
+        animate(*options);
+    });
 }
 
 }  // namespace percussionist::app

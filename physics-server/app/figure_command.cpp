@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <memory>
 
 #include "app/commands.hpp"
 #include "app/figure.hpp"
+#include "app/kit_figure.hpp"
 #include "files/obj_file.hpp"
 #include "files/text_file.hpp"
 
@@ -37,6 +39,14 @@ void write_figure(const std::filesystem::path& folder) {
                                     Eigen::Translation3d(s.joint_rest - middle)));
     }
     write_looks(folder, drum_node({0.0, 0.0, kHeight}, kRadius), Eigen::Affine3d::Identity());
+    // Kinds of objects by part, whatever it is made of: the viewer paints them.
+    constexpr std::array kParts{"face", "body", "metal"};
+    for (const files::SceneNode& shape : kit_shapes()) {
+        for (std::size_t i = 0; i < shape.looks.size(); ++i) {
+            files::write_text(folder / fmt::format("{}-{}.obj", shape.name, kParts[i]),
+                              files::obj(shape.looks[i].mesh));
+        }
+    }
     files::SceneNode floor;
     floor.name = "floor";
     const files::Outline rings{{8.0, 0.0}, {6.0, 0.0}, {4.5, 0.0}, {3.5, 0.0},

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "app/commands.hpp"
 #include "app/drum_sound.hpp"
 #include "app/film_list.hpp"
+#include "app/kit_film.hpp"
 #include "app/opening_messages.hpp"
 #include "app/performance.hpp"
 #include "app/simulation_flags.hpp"
@@ -40,6 +42,7 @@ struct FilmCommandOptions {
     std::vector<std::string> messages;
     FilmOptions film_options;
     sim::SimulationOptions simulation;
+    std::optional<KitFilmOptions> kit;  ///< none: one drum
 };
 
 /// Runs a program to its end. Throws std::runtime_error if it cannot be run or fails.
@@ -57,16 +60,21 @@ void run(const std::vector<std::string>& words) {
     if (status != 0) throw std::runtime_error("the film could not be made");
 }
 
-void film(const FilmCommandOptions& options) {
+/// What is drawn, and heard, in a folder; says what it was.
+struct Filmed {
+    int pictures = 0;
+    std::string report;
+};
+
+Filmed film_drum(const FilmCommandOptions& options, const std::filesystem::path& work) {
     LoadedScore score = load_score(options.score);
     for (const std::string& remark : score.remarks) fmt::print(stderr, "{}\n", remark);
     fmt::print("score: {}: {} of {} notes as strokes\n", score.title, score.strokes.size(),
                score.notes);
     std::fflush(stdout);
-    const TemporaryFolder work;
     Performance performance(options.simulation);
     const sim::Simulation& simulation = performance.simulation();
-    FilmList list(work.path() / "film.txt", options.film_options);
+    FilmList list(work / "film.txt", options.film_options);
     list.scene(simulation, options.simulation.head.membrane.radius);
     performance.load(std::move(score.strokes));
     Steering steering(performance, body::built_in_gestures());
@@ -76,15 +84,21 @@ void film(const FilmCommandOptions& options) {
         for (const LoggedContact& contact : performance.step()) list.contact(contact.event);
         list.stepped(simulation);
     }
-    const int pictures = list.finish();
     constexpr int kSampleRate = 48000;
-    files::write_wav(
-        work.path() / "performance.wav",
-        drum_sound(performance.log(), simulation.time(), kSampleRate, options.simulation.head));
-    files::write_text(work.path() / "size.txt", std::to_string(pictures));
+    files::write_wav(work / "performance.wav", drum_sound(performance.log(), simulation.time(),
+                                                          kSampleRate, options.simulation.head));
+    return {list.finish(), describe(performance.summary())};
+}
+
+void film(const FilmCommandOptions& options) {
+    const TemporaryFolder work;
+    const Filmed filmed =
+        options.kit ? Filmed{film_kit(*options.kit, options.film_options, work.path()), ""}
+                    : film_drum(options, work.path());
+    files::write_text(work.path() / "size.txt", std::to_string(filmed.pictures));
     run({(options.project / "scripts" / "film-pictures").string(), work.path().string(),
          std::to_string(options.film_options.rate), options.film.string()});
-    fmt::print("{}pictures           {}\n", describe(performance.summary()), pictures);
+    fmt::print("{}pictures           {}\n", filmed.report, filmed.pictures);
 }
 
 std::string even(const std::string& text) {
@@ -100,7 +114,18 @@ void add_film_command(CLI::App& program) {
         "film",
         "play a score into a film with sound; needs no screen, and Pd, Gem, Xvfb and ffmpeg");
     command.add_option("score", options->score,
-                       "a MIDI or MusicXML file; none: the built-in piece");
+                       "a MIDI or MusicXML file, or a recording; none: the built-in piece");
+    auto kit = std::make_shared<KitFilmOptions>();
+    CLI::Option* with_kit =
+        command
+            .add_option("--kit", kit->kit,
+                        "a drummer at a whole kit, key-framed: a kit file; none: the standard kit")
+            ->expected(0, 1);
+    command
+        .add_option("--audio", kit->audio,
+                    "a recording that is heard beside the kit, in time; a score that is one is so "
+                    "by itself")
+        ->needs(with_kit);
     command.add_option("-o,--output", options->film, "the film, FILE.mp4")->required();
     add_opening_flag(command, options->messages);
     command.add_option("--pictures", film_options.rate, "a second")
@@ -125,7 +150,13 @@ void add_film_command(CLI::App& program) {
     command.add_option("--project", options->project, "the folder with patches/ and scripts/")
         ->capture_default_str();
     add_simulation_flags(command, options->simulation);
-    command.callback([options] { film(*options); });
+    command.callback([options, kit, with_kit] {
+        if (with_kit->count() > 0) {
+            options->kit = *kit;
+            options->kit->score = options->score;
+        }
+        film(*options);
+    });
 }
 
 }  // namespace percussionist::app

@@ -61,13 +61,33 @@ void FilmList::pose(const sim::Simulation& simulation) {
     }
 }
 
-void FilmList::stepped(const sim::Simulation& simulation) {
-    if (simulation.time() * kPoseRate < poses_) return;
+void FilmList::say(const osc::Packet& packet) {
+    osc::decode(packet, [this](const std::string& path, std::span<const osc::Argument> arguments) {
+        out_ << "viewer-message " << path;
+        for (const osc::Argument& a : arguments) {
+            const auto* number = std::get_if<double>(&a);
+            out_ << ' ' << (number ? fmt::format("{:.6g}", *number) : std::get<std::string>(a));
+        }
+        out_ << ";\n";
+    });
+}
+
+bool FilmList::due(double time) {
+    if (time * kPoseRate < poses_) return false;
     if (poses_ > 0) fmt::print(out_, "{};\n", 1000.0 / kPoseRate);
-    pose(simulation);
+    return true;
+}
+
+void FilmList::draw() {
     if (poses_++ % (kPoseRate / options_.rate) != 0) return;
     fmt::print(out_, "film-picture bang;\n");
     ++pictures_;
+}
+
+void FilmList::stepped(const sim::Simulation& simulation) {
+    if (!due(simulation.time())) return;
+    pose(simulation);
+    draw();
 }
 
 int FilmList::finish() {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "osc/wire.hpp"
 #include "sim/simulation.hpp"
 
 namespace percussionist::app {
@@ -25,6 +26,12 @@ class FilmList {
     void contact(const sim::ContactEvent& contact);
     /// To be called after each step: what is to be seen of it.
     void stepped(const sim::Simulation& simulation);
+    /// Any message that the viewer understands, as it would come over OSC.
+    void say(const osc::Packet& packet);
+    /// Whether poses are due at a time [s] that grows from call to call; then they are to be said,
+    /// and draw() called.
+    [[nodiscard]] bool due(double time);
+    void draw();
     /// Completes the file; how many pictures it asks for. Throws std::runtime_error.
     int finish();
 

@@ -21,11 +21,6 @@ namespace percussionist::app {
 
 namespace {
 
-bool is_recording(const std::filesystem::path& path) {
-    const std::string kind = path.extension().string();
-    return kind == ".wav" || kind == ".flac" || kind == ".ogg" || kind == ".aif" || kind == ".aiff";
-}
-
 /// What is heard of drums in it.
 score::Score listen_to(const std::filesystem::path& path) {
     const files::Audio audio = files::read_audio(path);
@@ -48,6 +43,11 @@ ScoreSource source_of(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+bool is_recording(const std::filesystem::path& path) {
+    const std::string kind = path.extension().string();
+    return kind == ".wav" || kind == ".flac" || kind == ".ogg" || kind == ".aif" || kind == ".aiff";
+}
 
 score::Score read_score(const std::filesystem::path& path, std::vector<std::string>& warnings) {
     if (path.empty()) return score::built_in_score();

@@ -23,6 +23,9 @@ struct LoadedScore {
     ScoreSource source;
 };
 
+/// By its name, a recording of sound.
+bool is_recording(const std::filesystem::path& path);
+
 /// The notes alone; warnings of the reader are added to `warnings`. As load_score().
 score::Score read_score(const std::filesystem::path& path, std::vector<std::string>& warnings);
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/kit_server.hpp"
 #include "app/real_time.hpp"
 #include "app/route_file.hpp"
 #include "app/server.hpp"
@@ -18,18 +19,39 @@ namespace percussionist::app {
 
 namespace {
 
-void serve(const ServeOptions& options) {
+template <class AnyServer, class Options>
+void serve(const Options& options, const auto& summary) {
     const std::atomic<bool>& stop = stop_on_signals();
     SystemClock clock;
-    Server server(options, clock);
+    AnyServer server(options, clock);
     fmt::print("listening on {} port {}\n", options.endpoint.listen, server.port());
     std::fflush(stdout);
     std::optional<osc::Announcement> announcement;
     if (options.endpoint.listen == "0.0.0.0") announcement.emplace(server.port());
     ask_for_real_time();
     server.run(stop);
-    fmt::print("{}late steps         {}\n", describe(server.performance().summary()),
-               server.late_steps());
+    fmt::print("{}late steps         {}\n", describe(summary(server)), server.late_steps());
+}
+
+void serve_drum(const ServeOptions& options) {
+    serve<Server>(options, [](const Server& s) { return s.performance().summary(); });
+}
+
+void serve_kit(const ServeOptions& options, const std::filesystem::path& kit) {
+    if (!options.recording.empty()) throw std::runtime_error("--record: not with --kit");
+    KitServeOptions all;
+    all.endpoint = options.endpoint;
+    all.kit = kit;
+    all.score = options.score;
+    all.score_folder = options.score_folder;
+    all.play = options.play;
+    all.quit_at_end = options.quit_at_end;
+    all.log_folder = options.log_folder;
+    try {
+        serve<KitServer>(all, [](const KitServer& s) { return s.summary(); });
+    } catch (const std::invalid_argument& error) {
+        throw std::runtime_error(error.what());
+    }
 }
 
 }  // namespace
@@ -40,7 +62,7 @@ void add_serve_command(CLI::App& program) {
     CLI::App& command = *program.add_subcommand(
         "serve", "simulate in real time; hear and tell over OSC (docs/osc-protocol.md)");
     command.add_option("score", options->score,
-                       "a MIDI or MusicXML file; none: the built-in piece");
+                       "a MIDI or MusicXML file, or a recording; none: the built-in piece");
     command
         .add_option("--listen", options->endpoint.listen,
                     "address to listen on; 0.0.0.0 for every network of this machine")
@@ -67,13 +89,23 @@ void add_serve_command(CLI::App& program) {
     command.add_option("--log", options->log_folder, "folder for contacts.csv, written at the end");
     command.add_option("--record", options->recording,
                        "file for what is told, heard and played, from the start (replay plays it)");
+    auto kit = std::make_shared<std::string>();
+    CLI::Option* with_kit =
+        command
+            .add_option("--kit", *kit,
+                        "a drummer at a whole kit, key-framed: a kit file; none: the standard kit")
+            ->expected(0, 1);
     add_simulation_flags(command, options->simulation);
-    command.callback([options, routes, &command] {
+    command.callback([options, routes, kit, with_kit, &command] {
         options->settings = simulation_settings(command);
         if (!routes->empty()) options->endpoint.routes = read_routes(*routes);
         options->endpoint.before_sending = [] { ask_for_real_time(); };
         if (options->score_folder.empty()) options->score_folder = ".";
-        serve(*options);
+        if (with_kit->count() > 0) {
+            serve_kit(*options, *kit);
+        } else {
+            serve_drum(*options);
+        }
     });
 }
 

@@ -84,7 +84,7 @@ void Server::tell(Message message) {
 
 void Server::run(const std::atomic<bool>& stop) {
     start_ = clock_.now();
-    if (options_.play) hear({osc::Play{}, "/play", {}});
+    if (options_.play) hear({osc::Play{}, "/play", {}, {}});
     while (!stop && !ended_) {
         for (const osc::Heard& heard : endpoint_.take_commands()) hear(heard);
         take_loaded_score();

@@ -9,6 +9,11 @@
 namespace percussionist::app {
 
 void Server::hear(const osc::Heard& heard) {
+    if (osc::needs_kit(heard.command)) {
+        endpoint_.answer(heard.sender, "/error",
+                         {heard.address, "expected a whole kit: percussionist serve --kit"});
+        return;
+    }
     // A replay goes its own way.
     if (options_.replay && shapes_performance(heard.command)) return;
     tape_.heard(steps(), heard);

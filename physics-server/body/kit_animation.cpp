@@ -33,26 +33,37 @@ bool plays_hat(const score::Kit& kit, Limb foot) {
 
 KitAnimation::KitAnimation(const score::Kit& kit, std::span<const KitStroke> strokes)
     : kit_(kit),
+      strokes_(strokes.begin(), strokes.end()),
       skeleton_(make_drummer(kit.drummer)),
       poses_(skeleton_, kit),
       kit_motion_(kit, strokes),
       head_(skeleton_.index("head")) {
-    for (const KitStroke& s : strokes) {
+    for (const KitStroke& s : strokes_) {
         if (s.event >= kit.events.size() || !poses_.of(s.limb, s.event)) {
             throw std::invalid_argument("animation: a stroke that its limb does not play");
         }
     }
-    for (const Limb limb : {Limb::left_hand, Limb::right_hand, Limb::left_foot, Limb::right_foot}) {
-        std::vector<KeyFrame> keys = !score::is_hand(limb) && plays_hat(kit, limb)
-                                         ? hat_key_frames(poses_, kit, limb, strokes)
-                                         : key_frames(poses_, kit, limb, of_limb(strokes, limb));
-        limbs_.emplace_back(skeleton_, kit, poses_.parts(limb), std::move(keys));
-    }
-    look_at(strokes);
+    lay();
+    look_about();
 }
 
-void KitAnimation::look_at(std::span<const KitStroke> strokes) {
-    for (const KitStroke& s : strokes) {
+void KitAnimation::lay() {
+    limbs_.clear();
+    for (const Limb limb : {Limb::left_hand, Limb::right_hand, Limb::left_foot, Limb::right_foot}) {
+        std::vector<KeyFrame> keys = !score::is_hand(limb) && plays_hat(kit_, limb)
+                                         ? hat_key_frames(poses_, kit_, limb, strokes_)
+                                         : key_frames(poses_, kit_, limb, of_limb(strokes_, limb));
+        limbs_.emplace_back(skeleton_, kit_, poses_.parts(limb), std::move(keys));
+    }
+}
+
+void KitAnimation::edit(const score::PoseEdit& pose) {
+    poses_.edit(pose);
+    lay();
+}
+
+void KitAnimation::look_about() {
+    for (const KitStroke& s : strokes_) {
         if (!score::is_hand(s.limb)) continue;
         const double time = s.time - kLookAhead;
         if (!looks_.empty() && time - looks_.back().time < kLookApart) continue;
@@ -72,10 +83,14 @@ double KitAnimation::azimuth(double t) const {
     return last.azimuth + u * u * (3.0 - 2.0 * u) * (next->azimuth - last.azimuth);
 }
 
-void KitAnimation::at(double t, Posture& posture, Placement& placement) const {
+void KitAnimation::trunk_at(double t, Posture& posture) const {
     posture = poses_.seat();
-    for (const LimbMotion& limb : limbs_) limb.at(t, posture);
     posture.joints[head_] = from_euler_zyx({azimuth(t), kLookDown, 0.0});
+}
+
+void KitAnimation::at(double t, Posture& posture, Placement& placement) const {
+    trunk_at(t, posture);
+    for (const LimbMotion& limb : limbs_) limb.at(t, posture);
     forward_kinematics(skeleton_, posture, placement);
 }
 

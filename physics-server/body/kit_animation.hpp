@@ -26,7 +26,13 @@ class KitAnimation {
     [[nodiscard]] const KitPoses& poses() const { return poses_; }
     [[nodiscard]] const LimbMotion& motion(score::Limb limb) const { return limbs_[index(limb)]; }
 
-    /// At time t [s].
+    /// One pose is another. Throws std::invalid_argument for a joint the limb does not have.
+    void edit(const score::PoseEdit& pose);
+    /// Lays the key frames, by the scripts that the kit has now.
+    void lay();
+
+    /// At time t [s]; trunk and head alone, the limbs as they sit; all.
+    void trunk_at(double t, Posture& posture) const;
     void at(double t, Posture& posture, Placement& placement) const;
     void kit_at(double t, const Placement& placement, std::vector<ObjectState>& states) const {
         kit_motion_.at(t, skeleton_, placement, states);
@@ -41,10 +47,11 @@ class KitAnimation {
         double time;
         double azimuth;  ///< to the left [rad]
     };
-    void look_at(std::span<const score::KitStroke> strokes);
+    void look_about();
     [[nodiscard]] double azimuth(double t) const;
 
     const score::Kit& kit_;
+    std::vector<score::KitStroke> strokes_;
     Skeleton skeleton_;
     KitPoses poses_;
     std::vector<LimbMotion> limbs_;  ///< by Limb

@@ -45,6 +45,12 @@ void KitMotion::strike(const score::KitStroke& stroke) {
     list.push_back(now);
 }
 
+void KitMotion::forget() {
+    for (auto& list : struck_) {
+        if (list.size() > 1) list.erase(list.begin(), list.end() - 1);
+    }
+}
+
 void KitMotion::at(double t, const Skeleton& skeleton, const Placement& placement,
                    std::vector<ObjectState>& states) const {
     states.assign(kit_.objects.size(), {});

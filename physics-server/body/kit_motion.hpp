@@ -32,6 +32,11 @@ class KitMotion {
   public:
     KitMotion(const score::Kit& kit, std::span<const score::KitStroke> strokes);
 
+    /// One more, not before any other.
+    void strike(const score::KitStroke& stroke);
+    /// Of each object's strokes all but the last are forgotten: the past cannot be asked for.
+    void forget();
+
     /// By object; `placement` is that of the drummer at the same time t [s].
     void at(double t, const Skeleton& skeleton, const Placement& placement,
             std::vector<ObjectState>& states) const;
@@ -43,8 +48,6 @@ class KitMotion {
         double flash;                               ///< 0 to 1
         std::array<std::complex<double>, 2> swing;  ///< about the face's x and y [rad]
     };
-    void strike(const score::KitStroke& stroke);
-
     const score::Kit& kit_;
     std::vector<std::vector<Struck>> struck_;  ///< by object
 };

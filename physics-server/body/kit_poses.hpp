@@ -46,6 +46,9 @@ class KitPoses {
     [[nodiscard]] const std::optional<StrikePoses>& of(score::Limb limb, std::size_t event) const {
         return strikes_[index(limb)][event];
     }
+    /// Another pose in place of one. Throws std::invalid_argument for a joint the limb does not
+    /// have.
+    void edit(const score::PoseEdit& edit);
     /// Waiting.
     [[nodiscard]] const LimbPose& rest(score::Limb limb) const { return rest_[index(limb)]; }
     /// From where it sinks to that, and rises: a hand above all that is near.
@@ -60,7 +63,6 @@ class KitPoses {
   private:
     void add_hand(InverseKinematics& kinematics, score::Limb hand);
     void add_foot(score::Limb foot);
-    void edit(const score::PoseEdit& edit);
     [[nodiscard]] double off_spot(score::Limb hand, std::size_t event) const;
     [[nodiscard]] LimbPose taken(score::Limb limb, const Posture& posture) const;
 

@@ -137,7 +137,10 @@ class Writer {
         const bool grow = std::adjacent_find(scene_.times.begin(), scene_.times.end(),
                                              std::greater_equal<>()) == scene_.times.end();
         if (!grow || scene_.times.front() < 0.0 || scene_.turning > scene_.nodes.size() ||
-            scene_.rotations.size() != frames * scene_.turning || scene_.moved.size() != frames) {
+            scene_.rotations.size() != frames * scene_.turning || scene_.moved.size() != frames ||
+            std::any_of(scene_.shifted.begin(), scene_.shifted.end(), [&](const auto& shifted) {
+                return shifted.first >= scene_.nodes.size() || shifted.second.size() != frames;
+            })) {
             throw std::invalid_argument(
                 "glTF: expected growing times, a rotation of each turning node and a place of the "
                 "first for each of them");
@@ -163,11 +166,18 @@ class Writer {
             const std::vector<Eigen::Vector4f> turns = rotations_of(node);
             channel(animation, input, accessor(turns, "VEC4", kFloat, 0), node, "rotation");
         }
-        std::vector<Eigen::Vector3f> moved(scene_.moved.size());
-        std::transform(scene_.moved.begin(), scene_.moved.end(), moved.begin(),
-                       [](const Eigen::Vector3f& v) { return to_gltf(v); });
-        channel(animation, input, accessor(moved, "VEC3", kFloat, 0), 0, "translation");
+        channel(animation, input, places(scene_.moved), 0, "translation");
+        for (const auto& [node, shifted] : scene_.shifted) {
+            channel(animation, input, places(shifted), node, "translation");
+        }
         gltf_["animations"] = Json::array({animation});
+    }
+
+    int places(const std::vector<Eigen::Vector3f>& given) {
+        std::vector<Eigen::Vector3f> values(given.size());
+        std::transform(given.begin(), given.end(), values.begin(),
+                       [](const Eigen::Vector3f& v) { return to_gltf(v); });
+        return accessor(values, "VEC3", kFloat, 0);
     }
 
     /// x y z w, from frame to frame on the shorter way.

@@ -1,15 +1,17 @@
 // Motion and what moves as glTF 2.0, in one binary file (.glb): Blender and other programs open it.
 //
 // Nodes form a tree; the first few of them turn about their own place, frame by frame, and the
-// first one moves as well. Our world (x to the front, y to the left, z up) becomes glTF's (z to the
-// front, x to the left, y up), which is a change of names and of no number; metres and seconds
-// stay. Colours are given as seen (sRGB) and written as light (linear).
+// first one, and those that `shifted` names, move as well. Our world (x to the front, y to the
+// left, z up) becomes glTF's (z to the front, x to the left, y up), which is a change of names and
+// of no number; metres and seconds stay. Colours are given as seen (sRGB) and written as light
+// (linear).
 //
 // Source: Khronos, "glTF 2.0 Specification", the parts of the same names.
 #pragma once
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,8 @@ struct MovingScene {
     std::vector<double> times;                  ///< of the frames, growing [s]
     std::vector<Eigen::Quaternionf> rotations;  ///< against the parent; `turning` for each frame
     std::vector<Eigen::Vector3f> moved;         ///< place of the first node, for each frame [m]
+    /// Of other nodes that move: the place in the parent's frame, for each frame [m].
+    std::map<std::size_t, std::vector<Eigen::Vector3f>> shifted;
 };
 
 /// The bytes of a .glb. The same scene gives the same bytes. Throws std::invalid_argument where

@@ -19,6 +19,14 @@ constexpr std::uintmax_t kLargestFile = 1'000'000;
 constexpr std::size_t kMostLines = 5000;
 constexpr std::string_view kBlank = " \t";
 
+score::Script script_of(KitLine& l) {
+    score::Script s;
+    s.joint = l.word("a joint");
+    s.phase = static_cast<score::Phase>(l.choice(score::kPhaseNames));
+    while (!l.done()) s.curve.push_back(l.number());
+    return s;
+}
+
 class KitReader {
   public:
     KitReader(std::string_view text, std::string_view name) : lines_(text), name_(name) {}
@@ -169,13 +177,7 @@ class KitReader {
         pairs_.back().preference.may_cross = l.comes("crossed");
     }
 
-    void read_script(KitLine& l) {
-        score::Script s;
-        s.joint = l.word("a joint");
-        s.phase = static_cast<score::Phase>(l.choice(score::kPhaseNames));
-        while (!l.done()) s.curve.push_back(l.number());
-        kit_.scripts.push_back(std::move(s));
-    }
+    void read_script(KitLine& l) { kit_.scripts.push_back(script_of(l)); }
 
     void read_pose(KitLine& l) {
         static constexpr std::array<std::string_view, 2> kEnds{"down", "up"};
@@ -266,6 +268,32 @@ Kit read_kit_file(const std::filesystem::path& path) {
 
 Kit standard_kit() {
     return parse_kit(standard_kit_text(), "standard.kit");
+}
+
+score::Script parse_script(std::string_view text) {
+    std::vector<std::string_view> words;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        if (end > 0) words.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    KitLine line("script", 1, std::move(words));
+    return script_of(line);
+}
+
+std::string script_lines(const Kit& kit) {
+    std::string text;
+    for (const score::Script& script : kit.scripts) {
+        text += "script " + script.joint + ' ' +
+                std::string(score::kPhaseNames[static_cast<std::size_t>(script.phase)]);
+        for (const double share : script.curve) {
+            std::array<char, 32> number{};
+            std::snprintf(number.data(), number.size(), " %.6g", share);
+            text += number.data();
+        }
+        text += '\n';
+    }
+    return text;
 }
 
 std::string pose_lines(const Kit& kit, const std::vector<score::PoseEdit>& poses) {

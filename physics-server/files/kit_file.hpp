@@ -42,6 +42,11 @@ score::Kit standard_kit();
 /// The text of it.
 std::string_view standard_kit_text();
 
+/// "wrist down 0 0.02 0.1 0.4 1": a script without its word. Throws KitError.
+score::Script parse_script(std::string_view text);
+/// The lines that say the kit's scripts.
+std::string script_lines(const score::Kit& kit);
+
 /// The lines that say `poses`, to be added to a kit file.
 std::string pose_lines(const score::Kit& kit, const std::vector<score::PoseEdit>& poses);
 

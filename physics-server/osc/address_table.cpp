@@ -210,7 +210,9 @@ std::string fault(const Address& address, std::span<const Argument> arguments) {
 const std::vector<Address>& address_table() {
     static const std::vector<Address> table = [] {
         std::vector<Address> all = make_table();
-        const std::vector<Address> manner = manner_addresses();
+        std::vector<Address> manner = manner_addresses();
+        const std::vector<Address> kit = kit_addresses();
+        manner.insert(manner.end(), kit.begin(), kit.end());
         all.insert(all.begin() + kBeforeManner, manner.begin(), manner.end());
         return all;
     }();

@@ -36,6 +36,8 @@ const std::vector<Address>& address_table();
 
 /// Its part on how the percussionist plays, with what, and where.
 std::vector<Address> manner_addresses();
+/// Its part on a drummer at a whole kit.
+std::vector<Address> kit_addresses();
 
 /// A message that could not be understood: one line that names it and says what was expected.
 struct Refusal {

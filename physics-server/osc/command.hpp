@@ -1,8 +1,10 @@
 // What the server can be told over OSC: plain values, checked where the packet came in.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 
 namespace percussionist::osc {
@@ -119,10 +121,60 @@ struct Record {
     Peer asker;
 };
 
+// At a whole kit.
+
+/// A song that plays elsewhere is at a place; when, in the server's time, if it says so [s].
+struct SongPosition {
+    double position = 0.0;
+    std::optional<double> heard_at;
+};
+/// It stands, where it is or at a place [s].
+struct SongPause {
+    std::optional<double> position;
+};
+/// When a live note sounds.
+enum class NoteSound { now, contact, none };
+struct Note {
+    int key = 38;
+    double velocity = 0.5;  ///< 0..1
+    NoteSound sound = NoteSound::now;
+};
+/// A limb's pose for an event is held, to be looked at; no limb: the drummer plays on.
+struct ShowPose {
+    std::string limb, event;
+    bool up = false;
+};
+/// A joint of the pose that is shown: Euler angles z y x [rad].
+struct TurnJoint {
+    std::string joint;
+    std::array<double, 3> angles{};
+};
+/// How a joint goes between key frames: words and numbers as in a kit file.
+struct SetScript {
+    std::string line;
+};
+struct SaveKit {
+    std::string file;
+};
+
 using Command =
     std::variant<Play, Stop, Tempo, Rubato, SetGrip, SetNuance, SetHeight, SetPlace, SetLeading,
                  SetHeadHeight, SetMembrane, SetMallet, SetTracking, SetInverse, SetLaw, SetGain,
-                 LoadScore, Subscribe, Unsubscribe, Ping, Describe, AddRoute, ChangeRoute,
-                 RemoveRoute, ListRoutes, SaveRoutes, Record>;
+                 SongPosition, SongPause, Note, ShowPose, TurnJoint, SetScript, SaveKit, LoadScore,
+                 Subscribe, Unsubscribe, Ping, Describe, AddRoute, ChangeRoute, RemoveRoute,
+                 ListRoutes, SaveRoutes, Record>;
+
+/// Whether only a drummer at a whole kit can do it.
+inline bool needs_kit(const Command& command) {
+    return std::visit(
+        [](const auto& c) {
+            using Wish = std::decay_t<decltype(c)>;
+            return std::is_same_v<Wish, SongPosition> || std::is_same_v<Wish, SongPause> ||
+                   std::is_same_v<Wish, Note> || std::is_same_v<Wish, ShowPose> ||
+                   std::is_same_v<Wish, TurnJoint> || std::is_same_v<Wish, SetScript> ||
+                   std::is_same_v<Wish, SaveKit>;
+        },
+        command);
+}
 
 }  // namespace percussionist::osc

@@ -33,7 +33,8 @@ constexpr double kCheckInterval = 0.1;  // of silent subscribers [s]
 
 bool is_picture(const Outgoing& message) {
     return std::holds_alternative<PoseMessage>(message) ||
-           std::holds_alternative<SceneMessage>(message);
+           std::holds_alternative<SceneMessage>(message) ||
+           std::holds_alternative<ObjectsMessage>(message);
 }
 
 }  // namespace
@@ -101,7 +102,9 @@ void Endpoint::hear() {
 
 void Endpoint::hear(std::span<const char> packet, const sockaddr_in& from) {
     const Peer sender = UdpSocket::peer(from);
-    const auto message = [&](const std::string& path, std::span<const Argument> arguments) {
+    const double wall = wall_();
+    const auto message = [&](const std::string& path, std::span<const Argument> arguments,
+                             std::optional<double> tag) {
         // Two servers that are told of each other must not complain to each other for ever.
         if (path == "/error") return;
         const auto said = understand(path, arguments, sender);
@@ -110,10 +113,11 @@ void Endpoint::hear(std::span<const char> packet, const sockaddr_in& from) {
         } else if (const auto& command = std::get<Command>(said); !handled(command)) {
             const std::lock_guard lock(commands_mutex_);
             if (commands_.size() >= kMostCommands) return;
-            commands_.push_back({command, path, {arguments.begin(), arguments.end()}});
+            commands_.push_back(
+                {command, path, {arguments.begin(), arguments.end()}, sender, wall, tag});
         }
     };
-    if (!decode(packet, message)) {
+    if (!decode_tagged(packet, message)) {
         refuse({"packet", "expected an OSC message or bundle"}, sender);
     }
 }
@@ -326,12 +330,22 @@ void Endpoint::send(const Outgoing& message) {
         send_repeatedly(encode(*finished, lookahead), Feed::all);
     } else if (const auto* dropped = std::get_if<DroppedMessage>(&message)) {
         broadcast(encode(*dropped), Feed::all);
+    } else if (const auto* kit = std::get_if<KitMessage>(&message)) {
+        broadcast(encode(*kit, lookahead), Feed::all);
+    } else if (const auto* tick = std::get_if<TickMessage>(&message)) {
+        broadcast(encode(*tick, lookahead), Feed::sound);
+    } else if (const auto* noted = std::get_if<NotedMessage>(&message)) {
+        broadcast(encode(*noted, lookahead), Feed::all);
     }
 }
 
 void Endpoint::send_picture(const Outgoing& message) {
     if (const auto* scene = std::get_if<SceneMessage>(&message)) {
         broadcast(encode(*scene, options_.lookahead), Feed::pose);
+        return;
+    }
+    if (const auto* objects = std::get_if<ObjectsMessage>(&message)) {
+        broadcast(encode(*objects, options_.lookahead), Feed::pose);
         return;
     }
     const auto& pose = std::get<PoseMessage>(message);

@@ -11,6 +11,7 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -39,6 +40,9 @@ struct Heard {
     Command command;
     std::string address;
     std::vector<Argument> arguments;
+    Peer sender;
+    double wall = 0.0;            ///< when it was heard [s]
+    std::optional<double> tag{};  ///< of its bundle, by the sender's wall clock [s]
 };
 
 class Endpoint {

@@ -1,101 +1,31 @@
 #include "osc/wire.hpp"
 
-#include <lo/lo.h>
-
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
+
+#include "osc/bundle.hpp"
 
 namespace percussionist::osc {
 
 namespace {
 
-/// NTP time, what OSC tags carry, counts from 1900.
-constexpr double kSecondsTo1970 = 2208988800.0;
-
-lo_timetag time_tag(double wall) {
-    const double whole = std::floor(wall);
-    return {static_cast<std::uint32_t>(whole + kSecondsTo1970),
-            static_cast<std::uint32_t>((wall - whole) * 4294967296.0)};
-}
-
-struct BundleFree {
-    void operator()(void* bundle) const { lo_bundle_free_recursive(bundle); }
-};
-using Bundle = std::unique_ptr<std::remove_pointer_t<lo_bundle>, BundleFree>;
-
-Bundle make_bundle(double wall) {
-    return Bundle(lo_bundle_new(time_tag(wall)));
-}
-
-Packet serialise(const Bundle& bundle) {
-    std::size_t size = lo_bundle_length(bundle.get());
-    Packet packet(size);
-    lo_bundle_serialise(bundle.get(), packet.data(), &size);
-    return packet;
-}
-
-/// Takes the message.
-Packet serialise(const std::string& address, lo_message message) {
-    std::size_t size = lo_message_length(message, address.c_str());
-    Packet packet(size);
-    lo_message_serialise(message, address.c_str(), packet.data(), &size);
-    lo_message_free(message);
-    return packet;
-}
-
-void add(lo_message message, float value) {
-    lo_message_add_float(message, value);
-}
-void add(lo_message message, double value) {
-    lo_message_add_double(message, value);
-}
-void add(lo_message message, std::int32_t value) {
-    lo_message_add_int32(message, value);
-}
-void add(lo_message message, const std::string& value) {
-    lo_message_add_string(message, value.c_str());
-}
-
-template <class... Values>
-lo_message make_message(const Values&... values) {
-    lo_message message = lo_message_new();
-    (add(message, values), ...);
-    return message;
-}
-
-template <class Number>
-lo_message make_message_of(std::span<const Argument> arguments) {
-    lo_message message = lo_message_new();
-    for (const Argument& argument : arguments) {
-        if (const auto* text = std::get_if<std::string>(&argument)) {
-            add(message, *text);
-        } else {
-            add(message, static_cast<Number>(std::get<double>(argument)));
-        }
-    }
-    return message;
-}
-
 Bundle contact_bundle(const ContactMessage& c, double lookahead) {
     Bundle bundle = make_bundle(c.wall + lookahead);
     const float r = std::hypot(c.place[0], c.place[1]);
     const float theta = std::atan2(c.place[1], c.place[0]);
-    lo_bundle_add_message(bundle.get(), "/contact",
-                          make_message(c.sequence, c.hand, c.drum, c.stroke, c.instant, c.place[0],
-                                       c.place[1], r, theta, c.velocity[0], c.velocity[1],
-                                       c.velocity[2], c.force[0], c.force[1], c.force[2], c.impulse,
-                                       c.duration, c.mass, static_cast<std::int32_t>(c.recontact)));
+    lo_message message = make_message(c.sequence, c.hand, c.drum, c.stroke, c.instant, c.place[0],
+                                      c.place[1], r, theta, c.velocity[0], c.velocity[1],
+                                      c.velocity[2], c.force[0], c.force[1], c.force[2], c.impulse,
+                                      c.duration, c.mass, static_cast<std::int32_t>(c.recontact));
+    if (c.event >= 0) {
+        add(message, c.event);
+        add(message, c.event_name);
+        add(message, c.object_name);
+    }
+    lo_bundle_add_message(bundle.get(), "/contact", message);
     return bundle;
-}
-
-template <class... Values>
-Packet one_message(double tag, const char* address, const Values&... values) {
-    Bundle bundle = make_bundle(tag);
-    lo_bundle_add_message(bundle.get(), address, make_message(values...));
-    return serialise(bundle);
 }
 
 /// OSC aligns to four bytes, liblo's union wants eight: values are copied out.
@@ -131,7 +61,19 @@ Argument argument(char type, const lo_arg* value) {
 
 using Heard = std::function<void(const std::string&, std::span<const Argument>)>;
 
-bool decode_message(std::span<const char> bytes, const Heard& heard) {
+/// Of a bundle, at eight bytes from its beginning; 1 is "at once".
+std::optional<double> tag_of(std::span<const char> bundle) {
+    std::array<std::uint64_t, 2> words{};
+    for (std::size_t i = 0; i < 8; ++i) {
+        words[i / 4] = words[i / 4] << 8 | static_cast<unsigned char>(bundle[8 + i]);
+    }
+    if (words[0] == 0) return std::nullopt;
+    return static_cast<double>(words[0]) - kSecondsTo1970 +
+           static_cast<double>(words[1]) / 4294967296.0;
+}
+
+bool decode_message(std::span<const char> bytes, const TaggedHeard& heard,
+                    std::optional<double> tag) {
     // liblo wants a terminated address before it looks at anything else.
     if (bytes.empty() || bytes[0] != '/') return false;
     if (std::memchr(bytes.data(), '\0', bytes.size()) == nullptr) return false;
@@ -145,17 +87,19 @@ bool decode_message(std::span<const char> bytes, const Heard& heard) {
     for (int i = 0; i < lo_message_get_argc(message); ++i) {
         arguments.push_back(argument(types[i], values[i]));
     }
-    heard(copy.data(), arguments);
+    heard(copy.data(), arguments, tag);
     lo_message_free(message);
     return true;
 }
 
-bool decode_element(std::span<const char> bytes, const Heard& heard, int depth) {
+bool decode_element(std::span<const char> bytes, const TaggedHeard& heard, int depth,
+                    std::optional<double> tag) {
     constexpr int kDeepest = 4;
     constexpr std::size_t kHeader = 16;
     const bool bundle = bytes.size() >= 8 && std::memcmp(bytes.data(), "#bundle", 8) == 0;
-    if (!bundle) return decode_message(bytes, heard);
+    if (!bundle) return decode_message(bytes, heard, tag);
     if (depth == kDeepest || bytes.size() < kHeader) return false;
+    tag = tag_of(bytes);
     bytes = bytes.subspan(kHeader);
     while (!bytes.empty()) {
         if (bytes.size() < 4) return false;
@@ -163,7 +107,7 @@ bool decode_element(std::span<const char> bytes, const Heard& heard, int depth) 
         for (int i = 0; i < 4; ++i) size = size << 8 | static_cast<unsigned char>(bytes[i]);
         bytes = bytes.subspan(4);
         if (size > bytes.size()) return false;
-        if (!decode_element(bytes.first(size), heard, depth + 1)) return false;
+        if (!decode_element(bytes.first(size), heard, depth + 1, tag)) return false;
         bytes = bytes.subspan(size);
     }
     return true;
@@ -257,8 +201,14 @@ Packet encode_exactly(const std::string& address, std::span<const Argument> argu
     return serialise(address, make_message_of<double>(arguments));
 }
 
+bool decode_tagged(std::span<const char> bytes, const TaggedHeard& heard) {
+    return decode_element(bytes, heard, 0, std::nullopt);
+}
+
 bool decode(std::span<const char> bytes, const Heard& heard) {
-    return decode_element(bytes, heard, 0);
+    return decode_tagged(bytes, [&heard](const auto& path, const auto arguments, const auto&) {
+        heard(path, arguments);
+    });
 }
 
 }  // namespace percussionist::osc

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,8 +36,19 @@ Packet encode_message(const std::string& address, std::span<const Argument> argu
 /// The same with numbers as doubles, so that decode() gives back what went in.
 Packet encode_exactly(const std::string& address, std::span<const Argument> arguments);
 
+/// What a kit's drummer tells, see kit_wire.cpp.
+Packet encode(const ObjectsMessage& objects, double lookahead);
+Packet encode(const KitMessage& kit, double lookahead);
+Packet encode(const TickMessage& tick, double lookahead);
+Packet encode(const NotedMessage& noted, double lookahead);
+
 /// Calls `heard` for each message of a packet, bundled or not. False if it was not OSC.
 bool decode(std::span<const char> bytes,
             const std::function<void(const std::string& path, std::span<const Argument>)>& heard);
+
+/// The same with the tag of the innermost bundle, as wall clock [s]; none: at once.
+using TaggedHeard = std::function<void(const std::string& path, std::span<const Argument>,
+                                       std::optional<double> tag)>;
+bool decode_tagged(std::span<const char> bytes, const TaggedHeard& heard);
 
 }  // namespace percussionist::osc

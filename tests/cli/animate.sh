@@ -9,7 +9,7 @@ animate() { "$percussionist" animate "$work/song.mid" "$@" >"$work/said"; }
 animate -o "$work/one" --pictures 1.5 --write-kit "$work/posed.kit"
 animate -o "$work/two" --pictures 1.5
 diff -r "$work/one" "$work/two"
-for file in motion.bvh objects.csv strokes.csv keys.csv report.txt song.wav picture-1.500.svg; do
+for file in motion.bvh motion.glb objects.csv strokes.csv keys.csv report.txt song.wav picture-1.500.svg; do
     [ -s "$work/one/$file" ] || { echo "$file: missing"; exit 1; }
 done
 grep -q '^notes  *8 = 8 strokes + 0 left out + 0 doubles' "$work/one/report.txt"
@@ -26,3 +26,8 @@ if "$percussionist" animate "$work/song.mid" -o "$work/no" --kit "$work/faulty.k
 fi
 [ "$(wc -l <"$work/error")" = 1 ]
 grep -q "faulty.kit: line [0-9]*: expected a number after 'radius', found 'wide'" "$work/error"
+
+# A recording beside the kit, at its own rate: there is more to hear, and as long as it lasts.
+"$percussionist" animate "$work/song.mid" --audio "$work/one/song.wav" -o "$work/along" >"$work/said"
+! cmp -s "$work/along/song.wav" "$work/one/song.wav"
+[ "$(stat -c %s "$work/along/song.wav")" = "$(stat -c %s "$work/one/song.wav")" ]

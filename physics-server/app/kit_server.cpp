@@ -1,0 +1,366 @@
+#include "app/kit_server.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <type_traits>
+
+#include "app/kit_messages.hpp"
+#include "app/named_file.hpp"
+#include "app/route_file.hpp"
+#include "app/score_loader.hpp"
+#include "files/kit_file.hpp"
+#include "files/text_file.hpp"
+
+namespace percussionist::app {
+
+namespace {
+
+constexpr double kStep = 0.002;  // [s]
+/// A step this much behind the clock counts as late [s].
+constexpr double kLate = 0.005;
+/// Behind by more than this, time pauses rather than rushes [s].
+constexpr double kGiveUp = 0.5;
+constexpr double kPoseInterval = 1.0 / 60.0;
+constexpr double kTickInterval = 0.1;
+constexpr double kStatusInterval = 1.0;
+/// From /play to the score's time 0: he takes up his sticks [s].
+constexpr double kLeadIn = 1.0;
+constexpr double kRingOut = 3.0;  // after the last stroke [s]
+/// Where no stroke is: he rests.
+constexpr double kBeforeAll = -10.0;
+/// A tag farther from now comes from a clock that is not ours [s].
+constexpr double kSameClock = 1.0;
+constexpr double kOldest = 10.0;  // place told [s]
+constexpr std::size_t kMostKits = 100;
+
+bool is_ready(const auto& work) {
+    return work.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+void write_kit(const std::filesystem::path& folder, const std::string& name,
+               const std::string& text) {
+    const std::filesystem::path path = named_file(folder, name, ".kit");
+    std::size_t kits = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        kits += entry.path().extension() == ".kit" ? 1 : 0;
+    }
+    if (!std::filesystem::exists(path) && kits >= kMostKits) {
+        throw std::runtime_error(folder.string() + ": holds 100 kits already");
+    }
+    files::replace_text(path, text);
+}
+
+}  // namespace
+
+KitServer::KitServer(const KitServeOptions& options, WallClock& clock)
+    : options_(options),
+      clock_(clock),
+      kit_text_(kit_text(options.kit)),
+      drummer_(load_kit(options.kit)),
+      endpoint_(options.endpoint, [&clock] { return clock.now(); }) {
+    song_.hold(kBeforeAll);
+    use(load_kit_score(options.score, drummer_.kit()));
+}
+
+void KitServer::use(KitScore loaded) {
+    constexpr std::size_t kMostRemarks = 50;  // printing takes time
+    for (std::size_t i = 0; i < std::min(loaded.remarks.size(), kMostRemarks); ++i) {
+        fmt::print(stderr, "{}\n", loaded.remarks[i]);
+    }
+    fmt::print("score: {}: {} of {} notes as strokes\n", loaded.title, loaded.strokes.size(),
+               loaded.notes);
+    std::fflush(stdout);
+    drummer_.load(loaded.strokes);
+    score_ = std::move(loaded);
+    stop_playing();
+}
+
+template <class Message>
+void KitServer::tell(Message message) {
+    message.wall = wall(message.wall);
+    endpoint_.tell(std::move(message));
+}
+
+void KitServer::run(const std::atomic<bool>& stop) {
+    start_ = clock_.now();
+    if (options_.play) play();
+    while (!stop && !ended_) {
+        for (const osc::Heard& heard : endpoint_.take_commands()) hear(heard);
+        take_loaded();
+        catch_up(clock_.now());
+        clock_.sleep_until(wall(static_cast<double>(steps_ + 1) * kStep));
+    }
+    if (options_.log_folder.empty()) return;
+    std::filesystem::create_directories(options_.log_folder);
+    log_.write_csv(options_.log_folder / "contacts.csv");
+}
+
+void KitServer::catch_up(double now) {
+    const auto next = [this] { return wall(static_cast<double>(steps_ + 1) * kStep); };
+    const double behind = now - next();
+    if (behind > kGiveUp) {
+        start_ += behind;
+        late_steps_ += static_cast<int>(behind / kStep);
+        fmt::print(stderr, "held up for {:.2f} s: time paused\n", behind);
+    }
+    while (next() <= now && !ended_) {
+        if (now - next() > kLate) ++late_steps_;
+        step();
+    }
+    busy_ += clock_.now() - now;
+}
+
+void KitServer::step() {
+    time_ = static_cast<double>(++steps_) * kStep;
+    drummer_.step(time_, song_.advance(time_));
+    for (const body::KitContact& contact : drummer_.contacts()) tell_contact(contact);
+    tell_due();
+    check_end();
+}
+
+void KitServer::tell_due() {
+    if (time_ >= next_pose_) tell_pose();
+    if (time_ >= next_tick_) {
+        next_tick_ += kTickInterval;
+        tell(osc::TickMessage{time_, time_ + options_.endpoint.lookahead, song_.position()});
+    }
+    if (changed_ || time_ >= next_status_) tell_state();
+    if (time_ >= next_status_) {
+        tell_scene();
+        tell_status();
+    }
+}
+
+void KitServer::hear(const osc::Heard& heard) {
+    const auto refuse = [&](const std::string& reason) {
+        endpoint_.answer(heard.sender, "/error", {heard.address, reason});
+    };
+    try {
+        if (!obey(heard)) refuse("not at a kit; /describe lists what is");
+    } catch (const std::exception& error) {
+        refuse(error.what());
+    }
+}
+
+bool KitServer::obey(const osc::Heard& heard) {
+    const osc::Command& command = heard.command;
+    if (std::holds_alternative<osc::Play>(command)) {
+        play();
+    } else if (std::holds_alternative<osc::Stop>(command)) {
+        stop_playing();
+    } else if (const auto* tempo = std::get_if<osc::Tempo>(&command)) {
+        song_.tempo().glide(time_, tempo->factor, tempo->seconds);
+    } else if (const auto* rubato = std::get_if<osc::Rubato>(&command)) {
+        song_.tempo().sway(time_, rubato->depth, rubato->period);
+    } else if (const auto* place = std::get_if<osc::SongPosition>(&command)) {
+        follow(*place, heard);
+        return true;  // it comes often: no reason to tell all
+    } else if (const auto* pause = std::get_if<osc::SongPause>(&command)) {
+        song_.hold(pause->position);
+    } else if (const auto* note = std::get_if<osc::Note>(&command)) {
+        answer_note(*note, heard);
+        return true;
+    } else if (const auto* score = std::get_if<osc::LoadScore>(&command)) {
+        begin_loading(score->path, heard.sender);
+    } else if (const auto* routes = std::get_if<osc::SaveRoutes>(&command)) {
+        save(heard, routes->file + ".routes",
+             [this, file = routes->file, all = endpoint_.routes()] {
+                 write_routes(options_.score_folder, file, all);
+             });
+    } else if (const auto* kit = std::get_if<osc::SaveKit>(&command)) {
+        save(heard, kit->file + ".kit",
+             [this, file = kit->file, text = kit_text_with(kit_text_, drummer_.kit())] {
+                 write_kit(options_.score_folder, file, text);
+             });
+    } else {
+        return edit(command);
+    }
+    changed_ = true;
+    return true;
+}
+
+void KitServer::play() {
+    song_.play(time_, -kLeadIn);
+    performing_ = true;
+    asked_ = 0;
+    log_.clear();
+    tell(osc::StartedMessage{song_.tempo().time_of(0.0),
+                             static_cast<float>(song_.tempo().factor(time_))});
+}
+
+void KitServer::stop_playing() {
+    song_.hold(kBeforeAll);
+    performing_ = false;
+    changed_ = true;
+}
+
+void KitServer::follow(const osc::SongPosition& told, const osc::Heard& heard) {
+    double at = heard.wall - start_;
+    if (told.heard_at) {
+        at = *told.heard_at;
+    } else if (heard.tag && std::abs(*heard.tag - heard.wall) < kSameClock) {
+        at = *heard.tag - start_;
+    }
+    at -= options_.endpoint.lookahead;
+    if (std::abs(at - time_) > kOldest) {
+        throw std::invalid_argument(
+            fmt::format("AT: expected the time that /tick tells, within {} s of {:.3f}, got {:.3f}",
+                        kOldest, time_, at));
+    }
+    if (song_.course() == score::SongClock::Course::alone || !performing_) {
+        if (song_.position() <= kBeforeAll) {
+            asked_ = 0;
+            log_.clear();
+        }
+        changed_ = true;
+    }
+    performing_ = true;
+    song_.told(time_, at, told.position);
+}
+
+void KitServer::answer_note(const osc::Note& note, const osc::Heard& heard) {
+    if (note.velocity <= 0.0) return;  // let go
+    const score::Kit& kit = drummer_.kit();
+    const int event = kit.keys[static_cast<std::size_t>(note.key)];
+    if (event == score::kNotOfTheKit) {
+        throw std::invalid_argument(fmt::format("key {} is none of the kit's", note.key));
+    }
+    const auto struck = static_cast<std::size_t>(event);
+    const bool at_once = note.sound == osc::NoteSound::now;
+    const body::LiveStroke stroke =
+        drummer_.strike(struck, note.velocity, note.sound != osc::NoteSound::contact);
+    // With nobody to strike it, it sounds all the same.
+    if (at_once || (!stroke.limb && note.sound == osc::NoteSound::contact)) {
+        const score::KitEvent& e = kit.events[struck];
+        const score::Limb limb = stroke.limb.value_or(e.foot.value_or(score::Limb::right_hand));
+        tell_contact({time_, limb, struck, note.velocity, -1, false});
+    }
+    const double waited = wall(time_) - heard.wall;
+    tell(osc::NotedMessage{time_, note.key, stroke.limb ? static_cast<int>(*stroke.limb) : -1,
+                           static_cast<int>(kit.events[struck].object),
+                           static_cast<float>(stroke.time - time_ + waited)});
+}
+
+bool KitServer::edit(const osc::Command& command) {
+    if (const auto* show = std::get_if<osc::ShowPose>(&command)) {
+        drummer_.show(shown_pose(*show, drummer_.kit()));
+    } else if (const auto* turn = std::get_if<osc::TurnJoint>(&command)) {
+        const auto& shown = drummer_.shown();
+        if (!shown) throw std::invalid_argument("no pose is shown; /pose/show chooses one");
+        drummer_.edit(score::PoseEdit{shown->limb,
+                                      shown->event,
+                                      shown->up,
+                                      turn->joint,
+                                      {turn->angles[0], turn->angles[1], turn->angles[2]}});
+    } else if (const auto* script = std::get_if<osc::SetScript>(&command)) {
+        drummer_.edit(files::parse_script(script->line));
+    } else {
+        return false;
+    }
+    changed_ = true;
+    return true;
+}
+
+void KitServer::begin_loading(const std::string& name, const osc::Peer& asker) {
+    if (loading_.valid()) throw std::runtime_error("another score is being read");
+    // Reading a file takes longer than a step: another thread does it.
+    loading_ = std::async(std::launch::async, [this, name, asker, kit = drummer_.kit()] {
+        try {
+            KitScore loaded = load_kit_score(score_in_folder(options_.score_folder, name), kit);
+            endpoint_.answer(asker, "/reply",
+                             {"/score", fmt::format("{}: {} of {} notes", loaded.title,
+                                                    loaded.strokes.size(), loaded.notes)});
+            return loaded;
+        } catch (const std::exception& error) {
+            endpoint_.answer(asker, "/error", {"/score", error.what()});
+            throw;
+        }
+    });
+}
+
+void KitServer::take_loaded() {
+    if (!loading_.valid() || !is_ready(loading_)) return;
+    try {
+        use(loading_.get());
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}\n", error.what());  // what was loaded before plays on
+    }
+}
+
+void KitServer::save(const osc::Heard& heard, const std::string& name,
+                     std::function<void()> write) {
+    if (saving_.valid() && !is_ready(saving_)) throw std::runtime_error("a file is being written");
+    saving_ = std::async(std::launch::async, [this, heard, name, write = std::move(write)] {
+        try {
+            write();
+            endpoint_.answer(heard.sender, "/reply", {heard.address, name});
+        } catch (const std::exception& error) {
+            endpoint_.answer(heard.sender, "/error", {heard.address, error.what()});
+        }
+    });
+}
+
+void KitServer::tell_contact(const body::KitContact& contact) {
+    if (contact.sounded) return;
+    if (contact.stroke >= 0) ++asked_;
+    osc::ContactMessage message = contact_message(contact, drummer_.kit());
+    message.sequence = sequence_++;
+    LoggedContact logged = logged_contact(message);
+    logged.asked_time = contact.time;
+    log_.add(logged);
+    tell(std::move(message));
+}
+
+void KitServer::tell_pose() {
+    next_pose_ += kPoseInterval;
+    tell(pose_message(time_, drummer_));
+    tell(objects_message(time_, drummer_));
+}
+
+void KitServer::tell_scene() {
+    tell(scene_message(time_, drummer_.skeleton()));
+    tell(kit_message(time_, drummer_.kit()));
+}
+
+void KitServer::tell_state() {
+    changed_ = false;
+    osc::StateMessage state;
+    state.wall = time_;
+    const double length = score_.strokes.empty() ? 0.0 : score_.strokes.back().time;
+    state.items = {{"tempo", {song_.tempo().factor(time_), song_.tempo().goal()}},
+                   {"rubato", {song_.tempo().depth(), song_.tempo().period()}},
+                   {"playing", {song_.course() == score::SongClock::Course::still ? 0.0 : 1.0}},
+                   {"song", {score_.title, length}},
+                   {"kit", {drummer_.kit().name}}};
+    for (auto& item : pose_items(drummer_)) state.items.push_back(std::move(item));
+    tell(std::move(state));
+}
+
+void KitServer::tell_status() {
+    next_status_ += kStatusInterval;
+    osc::StatusMessage status;
+    status.wall = status.time = time_;
+    status.load = static_cast<float>(busy_ / kStatusInterval);
+    status.late_steps = late_steps_;
+    status.strokes = asked_ + drummer_.passed_over();
+    status.contacts = static_cast<int>(log_.contacts().size());
+    busy_ = 0.0;
+    tell(status);
+}
+
+void KitServer::check_end() {
+    const double last = score_.strokes.empty() ? 0.0 : score_.strokes.back().time;
+    if (!performing_ || song_.position() < last + kRingOut) return;
+    performing_ = false;
+    changed_ = true;
+    tell(osc::FinishedMessage{time_, asked_, static_cast<int>(log_.contacts().size())});
+    ended_ = options_.quit_at_end;
+    if (song_.course() == score::SongClock::Course::alone) stop_playing();
+}
+
+}  // namespace percussionist::app

@@ -1,0 +1,95 @@
+// The running server with a drummer at a whole kit: like Server, locked to the wall clock, but
+// what plays is a LiveKit, and where the song is may be told by who plays it.
+//
+// Each step ends at its time by the clock; contacts, poses and what the kit does are told as of
+// then, to be heard the lookahead later. A song that plays elsewhere is therefore led by that much:
+// what it is told to be at T is here at T less the lookahead.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/kit_score.hpp"
+#include "app/performance_log.hpp"
+#include "app/wall_clock.hpp"
+#include "body/live_drummer.hpp"
+#include "osc/endpoint.hpp"
+
+namespace percussionist::app {
+
+struct KitServeOptions {
+    osc::EndpointOptions endpoint;
+    std::filesystem::path kit;           ///< empty: the standard kit
+    std::filesystem::path score;         ///< empty: the built-in one
+    std::filesystem::path score_folder;  ///< where /score may read, /kit/save and /route/save write
+    bool play = false;                   ///< at once, without waiting for /play
+    bool quit_at_end = false;            ///< when the score has been played and has rung out
+    std::filesystem::path log_folder;    ///< contacts.csv goes there; empty: nowhere
+};
+
+class KitServer {
+  public:
+    /// Throws std::runtime_error (port, files) or std::invalid_argument (the kit).
+    KitServer(const KitServeOptions& options, WallClock& clock);
+
+    /// Runs until `stop` is set, or the score ends if so asked.
+    void run(const std::atomic<bool>& stop);
+
+    [[nodiscard]] int port() const { return endpoint_.port(); }
+    [[nodiscard]] int late_steps() const { return late_steps_; }
+    [[nodiscard]] TimingSummary summary() const { return log_.summary(asked_); }
+    [[nodiscard]] const PerformanceLog& log() const { return log_; }
+    [[nodiscard]] const body::LiveDrummer& drummer() const { return drummer_; }
+    [[nodiscard]] double position() const { return song_.position(); }
+
+  private:
+    void hear(const osc::Heard& heard);
+    bool obey(const osc::Heard& heard);
+    void play();
+    void stop_playing();
+    void follow(const osc::SongPosition& told, const osc::Heard& heard);
+    void answer_note(const osc::Note& note, const osc::Heard& heard);
+    bool edit(const osc::Command& command);
+    void begin_loading(const std::string& name, const osc::Peer& asker);
+    void take_loaded();
+    void save(const osc::Heard& heard, const std::string& name, std::function<void()> write);
+    void use(KitScore loaded);
+    void catch_up(double now);
+    void step();
+    void tell_due();
+    void tell_contact(const body::KitContact& contact);
+    void tell_pose();
+    void tell_scene();
+    void tell_state();
+    void tell_status();
+    void check_end();
+    template <class Message>
+    void tell(Message message);
+    [[nodiscard]] double wall(double time) const { return start_ + time; }
+
+    KitServeOptions options_;
+    WallClock& clock_;
+    std::string kit_text_;
+    body::LiveDrummer drummer_;
+    score::SongClock song_;
+    osc::Endpoint endpoint_;
+    KitScore score_;
+    std::future<KitScore> loading_;
+    std::future<void> saving_;
+    PerformanceLog log_;
+    double start_ = 0.0;      ///< wall clock at time 0 [s]
+    std::int64_t steps_ = 0;  ///< done
+    double time_ = 0.0;       ///< of the last step [s]
+    double next_pose_ = 0.0, next_tick_ = 0.0, next_status_ = 0.0;
+    double busy_ = 0.0;  ///< computing time since the last status [s]
+    int late_steps_ = 0, sequence_ = 0, asked_ = 0;
+    bool performing_ = false;  ///< a song that has not ended
+    bool changed_ = false, ended_ = false;
+};
+
+}  // namespace percussionist::app

@@ -1,0 +1,165 @@
+#include "app/kit_server.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "files/kit_file.hpp"
+#include "support/osc_listener.hpp"
+
+using namespace percussionist;
+using test::OscListener;
+
+namespace {
+
+/// Goes as fast as it is asked to: sleeping is jumping ahead.
+class TestClock : public app::WallClock {
+  public:
+    double now() const override { return now_; }
+    void sleep_until(double time) override {
+        now_ = std::max(now_.load(), time);
+        std::this_thread::yield();
+    }
+
+  private:
+    std::atomic<double> now_{1.7e9};
+};
+
+class RunningKit {
+  public:
+    explicit RunningKit(app::KitServeOptions options = {})
+        : server_(with_free_port(std::move(options)), clock_),
+          thread_([this] { server_.run(stop_); }) {}
+    ~RunningKit() { end(); }
+    void end() {
+        stop_ = true;
+        if (thread_.joinable()) thread_.join();
+    }
+    int port() const { return server_.port(); }
+    const app::KitServer& server() const { return server_; }  ///< once it has ended
+
+  private:
+    static app::KitServeOptions with_free_port(app::KitServeOptions options) {
+        options.endpoint.port = 0;
+        return options;
+    }
+    TestClock clock_;
+    app::KitServer server_;
+    std::atomic<bool> stop_{false};
+    std::thread thread_;
+};
+
+void subscribe(OscListener& listener, const std::string& feed) {
+    listener.send(osc::encode_message(
+        "/subscribe", std::vector<osc::Argument>{static_cast<double>(listener.port()), feed}));
+}
+
+osc::Packet note(double key, double velocity, const std::string& sound) {
+    return osc::encode_message("/note", std::vector<osc::Argument>{key, velocity, sound});
+}
+
+}  // namespace
+
+TEST_CASE("kit server: tells the kit, what moves of it, and every stroke once") {
+    RunningKit kit;
+    OscListener all(kit.port());
+    subscribe(all, "all");
+    REQUIRE(all.hears("/status"));
+    all.send("/play");
+    REQUIRE(all.hears("/finished"));
+    CHECK(all.hears("/kit/object", 11));
+    CHECK(all.hears("/kit/event", 16));
+    CHECK(all.hears("/kit/pedal", 2));
+    CHECK(all.count("/pose") > 1000);
+    CHECK(all.count("/object") > 1000);
+    CHECK(all.hears("/tick", 100));
+    kit.end();
+    CHECK(all.contacts().size() == 150);
+    CHECK(kit.server().summary().contacts == 150);
+    CHECK(kit.server().summary().worst_error < 1e-3);
+}
+
+TEST_CASE("kit server: a live note is a contact, at once or with its stroke, and never both") {
+    for (const char* sound : {"now", "contact"}) {
+        RunningKit kit;
+        OscListener sounds(kit.port());
+        subscribe(sounds, "sound");
+        REQUIRE(sounds.hears("/status"));
+        sounds.send(note(38, 100, sound));
+        REQUIRE(sounds.hears("/noted"));
+        const int statuses = sounds.count("/status");
+        REQUIRE(sounds.hears("/status", statuses + 3));
+        CHECK(sounds.contacts().size() == 1);
+    }
+}
+
+TEST_CASE("kit server: a note that has sounded is nobody's contact; a key of no event is refused") {
+    RunningKit kit;
+    OscListener sounds(kit.port());
+    subscribe(sounds, "sound");
+    REQUIRE(sounds.hears("/status"));
+    sounds.send(note(38, 100, "none"));
+    REQUIRE(sounds.hears("/noted"));
+    sounds.send(note(99, 100, "now"));
+    REQUIRE(sounds.hears("/error"));
+    sounds.send("/grip", {"french"});
+    REQUIRE(sounds.hears("/error", 2));
+    const int statuses = sounds.count("/status");
+    REQUIRE(sounds.hears("/status", statuses + 2));
+    CHECK(sounds.contacts().empty());
+}
+
+TEST_CASE("kit server: told where a song is it goes on from there; paused it stays") {
+    RunningKit kit;
+    OscListener sounds(kit.port());
+    subscribe(sounds, "sound");
+    REQUIRE(sounds.hears("/status"));
+    sounds.send(osc::encode_message("/song/position", std::vector<osc::Argument>{5.0}));
+    REQUIRE(sounds.hears("/contact"));
+    sounds.send(osc::encode_message("/song/pause", std::vector<osc::Argument>{7.0}));
+    const int ticks = sounds.count("/tick");
+    REQUIRE(sounds.hears("/tick", ticks + 20));
+    sounds.send(osc::encode_message("/song/position", std::vector<osc::Argument>{5.0, 1e6}));
+    CHECK(sounds.hears("/error"));  // a time that is not this server's
+    kit.end();
+    CHECK(kit.server().position() == 7.0);
+}
+
+TEST_CASE(
+    "kit server: a pose is shown, turned and saved with the kit; the name stays in the folder") {
+    const auto folder = std::filesystem::temp_directory_path() / "percussionist-kits";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    app::KitServeOptions options;
+    options.score_folder = folder;
+    RunningKit kit(options);
+    OscListener editor(kit.port());
+    subscribe(editor, "sound");
+    REQUIRE(editor.hears("/status"));
+    editor.send(
+        osc::encode_message("/pose/joint", std::vector<osc::Argument>{"elbow", .1, .2, .3}));
+    REQUIRE(editor.hears("/error", 1));
+    editor.send("/pose/show", {"right-hand", "kick", "up"});
+    REQUIRE(editor.hears("/error", 2));
+    editor.send("/pose/show", {"right-hand", "ride", "up"});
+    editor.send(
+        osc::encode_message("/pose/joint", std::vector<osc::Argument>{"elbow", .1, .2, .3}));
+    editor.send(osc::encode_message(
+        "/script", std::vector<osc::Argument>{"wrist", "down", 0.0, 0.25, 0.5, 1.0}));
+    editor.send("/kit/save", {"mine"});
+    REQUIRE(editor.hears("/reply"));
+    editor.send("/kit/save", {"../mine"});
+    REQUIRE(editor.hears("/error", 3));
+    const score::Kit saved = files::read_kit_file(folder / "mine.kit");
+    REQUIRE(saved.poses.size() == 1);
+    CHECK(saved.poses[0].joint == "elbow");
+    CHECK(saved.poses[0].up);
+    CHECK((saved.poses[0].angles - linear::Vector3(0.1, 0.2, 0.3)).norm() < 1e-3);
+    CHECK(saved.scripts.size() == files::standard_kit().scripts.size());
+    CHECK(saved.scripts.back().curve == std::vector<double>{0.0, 0.25, 0.5, 1.0});
+    kit.end();
+    std::filesystem::remove_all(folder);
+}
