@@ -51,7 +51,8 @@ bool is_page(const fs::path& patch) {
     const auto folder = patch.parent_path();
     const bool numbered = std::isdigit(patch.filename().string().front()) != 0;
     return folder == kRoot / "help" ||
-           (folder == kRoot / "patches" && patch.stem() != "film" && patch.stem() != "preset") ||
+           (folder == kRoot / "patches" && patch.stem() != "film" && patch.stem() != "preset" &&
+            patch.stem() != "pose-row") ||
            (folder == kRoot / "patches/tour" && numbered);
 }
 
