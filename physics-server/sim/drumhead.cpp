@@ -95,8 +95,7 @@ std::array<double, 2> Drumhead::step(double time, const std::array<TouchingTip, 
         for (int s = 0; s < samples_; ++s) {
             std::array<Approach, 2> before;
             for (std::size_t i = 0; i < tips.size(); ++i) {
-                before[i] = {strikers_[i].position - head_.displacement(i),
-                             strikers_[i].velocity};
+                before[i] = {strikers_[i].position - head_.displacement(i), strikers_[i].velocity};
             }
             head_.step(strikers_);
             for (std::size_t i = 0; i < tips.size(); ++i) {

@@ -9,7 +9,8 @@
 // beginning of each step is ODE's.
 //
 // Frictionless: the head pushes along its normal only. Frame: the head's own, origin in its middle,
-// z out of it; a tip that comes from below passes. After construction no allocation but that of `contacts`; one thread; deterministic.
+// z out of it; a tip that comes from below passes. After construction no allocation but that of
+// `contacts`; one thread; deterministic.
 #pragma once
 
 #include <array>

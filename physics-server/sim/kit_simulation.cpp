@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::array<Limb, 4> kLimbs{Limb::left_hand, Limb::right_hand, Limb::left_foot,
                                      Limb::right_foot};
+/// Of the joints, against a person's: key frames turn more sharply than muscles would.
+constexpr double kStrength = 3.0;
 /// A limb counts as striking from so long before to so long after the contact, and is loose [s].
 constexpr double kStrikesBefore = 0.001;
 constexpr double kStrikesAfter = 0.007;
@@ -25,6 +27,7 @@ constexpr double kLeadTime = 0.08;
 constexpr double kLedBefore = 0.008;
 constexpr double kLeastLead = 0.02;
 constexpr double kSameLead = 0.0002;  // [m]
+constexpr double kFarLead = 0.002;    // [m]
 /// The speed of a contact that flashes as brightly as can be [m/s].
 constexpr double kBrightest = 5.0;
 
@@ -57,6 +60,7 @@ KitSimulation::KitSimulation(const score::Kit& kit, std::vector<modal::Resonator
       target_(skeleton_),
       actual_(skeleton_),
       flashes_(kit.objects.size()) {
+    for (body::Segment& segment : skeleton_.segments) segment.torque_limit *= kStrength;
     for (const Limb limb : kLimbs) {
         parts_[score::index(limb)] = body::parts_of(skeleton_, limb).segments;
     }
@@ -84,12 +88,11 @@ void KitSimulation::step(const body::Posture& posture, const LimbForecasts& fore
     target_.advance();
 }
 
-/// How far what an event strikes will have moved; the foot sees to it that the hi-hat is as open as
-/// the event has it.
+/// How far what an event strikes will be from where its spot is told.
 Vector3 KitSimulation::next_face(std::size_t event, const Vector3& spot, double left) const {
     const score::KitEvent& e = kit_.events[event];
-    if (e.hat != score::HatState::any) return Vector3::Zero();
-    return surfaces_.moved(e.object, spot, left);
+    const double told = e.hat == score::HatState::open ? score::kOpenHat * score::kHatOpens : 0.0;
+    return surfaces_.moved(e.object, spot, left) - told * kit_.object_of(event).normal();
 }
 
 void KitSimulation::lead_tips(const LimbForecasts& forecasts) {
@@ -113,7 +116,9 @@ void KitSimulation::lead_tips(const LimbForecasts& forecasts) {
         farthest = std::max(farthest, off.norm());
         targets[index(hand)].tip = target_.placed_after.tip(skeleton_, hand) + off;
     }
-    if (farthest > 0.0) {
+    // Wrists and fingers come nearer each time; farther leads take more.
+    const int times = farthest > kFarLead ? 4 : farthest > 0.0 ? 1 : 0;
+    for (int i = 0; i < times; ++i) {
         kinematics_.reach_by_hands(targets, target_.after, target_.placed_after);
     }
 }

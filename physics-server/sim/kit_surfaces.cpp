@@ -1,5 +1,6 @@
 #include "sim/kit_surfaces.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -10,8 +11,8 @@ namespace {
 
 constexpr double kFineRate = 48000;   // [Hz]
 constexpr double kSwingRate = 1.3;    // [Hz]
-constexpr double kSwingTime = 0.9;    // [s]
-constexpr double kArealMass = 8.6;    // of a cymbal: bronze of a millimetre [kg/m^2]
+constexpr double kSwingTime = 0.4;    // [s]
+constexpr double kArealMass = 11.0;   // of a cymbal: bronze of 1.3 mm [kg/m^2]
 constexpr double kStickMass = 0.012;  // at the tip, by which elasticity is told [kg]
 constexpr double kStickSpeed = 2.5;   // [m/s]
 constexpr double kMostLoss = 3.0;     // dissipation [s/m]
@@ -115,7 +116,9 @@ Vector3 KitSurfaces::swing(std::size_t object) const {
 Vector3 KitSurfaces::moved(std::size_t object, const Vector3& place, double time) const {
     const score::KitObject& o = kit_.objects[object];
     const Lift& lift = lifts_[object];
-    if (hung_[object].body == nullptr) return lift.height * o.normal();
+    if (hung_[object].body == nullptr) {
+        return std::clamp(lift.height + lift.rate * time, 0.0, score::kHatOpens) * o.normal();
+    }
     // The spring's course: angle = Im(c exp(kSwing t)) about each axis.
     const Vector3 now = swing(object);
     const Vector3 rate = angular_velocity(hung_[object].body);

@@ -1,7 +1,7 @@
 // The things of a kit that sticks strike: drums, bells and the hi-hat's upper cymbal where they
 // stand, cymbals hung on their stands as bodies of ODE. Each is a Drumhead of what it is made of.
 //
-// A cymbal is a disc on a ball joint with a spring and a damper, f = 1.3 Hz, tau = 0.9 s; struck
+// A cymbal is a disc on a ball joint with a spring and a damper, f = 1.3 Hz, tau = 0.4 s; struck
 // off its middle it swings by its own inertia. An event's elasticity is a fact of its contact: the
 // share of its speed with which a stick comes back from there, had by the felt's dissipation, as
 // far as what is struck allows.
