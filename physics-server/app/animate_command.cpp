@@ -11,6 +11,7 @@
 #include "app/animate_files.hpp"
 #include "app/bvh_writer.hpp"
 #include "app/commands.hpp"
+#include "app/film_pictures.hpp"
 #include "app/kit_film.hpp"
 #include "app/kit_gltf.hpp"
 #include "app/kit_performance.hpp"
@@ -18,6 +19,7 @@
 #include "app/kit_sound.hpp"
 #include "app/progress.hpp"
 #include "app/score_loader.hpp"
+#include "app/temporary_folder.hpp"
 #include "files/kit_file.hpp"
 #include "files/text_file.hpp"
 #include "files/text_lines.hpp"
@@ -39,6 +41,7 @@ struct AnimateOptions {
     double frames = 240.0;  ///< a second [Hz]
     int sample_rate = 48000;
     bool silent = false;
+    bool film = false;
     bool simulated = false;
     std::vector<double> pictures;  ///< at these times [s]
 };
@@ -92,6 +95,7 @@ class Animator {
         }
         write_keys(options_.folder / "keys.csv", *animation_);
         if (!options_.write_kit.empty()) write_kit();
+        if (options_.film) write_film();
         tell();
     }
 
@@ -217,6 +221,16 @@ class Animator {
         account_.line("peak level", fmt::format("{:.3f}", peak));
     }
 
+    /// As `film --kit` makes it: of the key frames.
+    void write_film() const {
+        const TemporaryFolder work;
+        const FilmOptions film;
+        const int pictures = film_kit(
+            {.score = options_.score, .kit = options_.kit.string(), .audio = options_.audio}, film,
+            work.path());
+        make_film(work.path(), pictures, film.rate, options_.folder / "film.mp4", project_folder());
+    }
+
     void write_kit() const {
         const auto poses = all_poses(animation_->skeleton(), animation_->poses(), kit_);
         files::write_text(options_.write_kit,
@@ -299,6 +313,9 @@ void add_animate_command(CLI::App& program) {
     command.add_option("--audio", options->audio,
                        "a recording that is in song.wav beside the kit, which has its sample rate; "
                        "without a score its drums are played");
+    command.add_flag("--film", options->film,
+                     "also film.mp4, which needs Pd, Gem, Xvfb and ffmpeg (`film --kit` has more "
+                     "to choose)");
     command.add_flag("--silent", options->silent, "no song.wav");
     command.callback([options] {
         if (options->score.empty()) options->score = options->audio;

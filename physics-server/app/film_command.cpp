@@ -1,11 +1,7 @@
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -15,26 +11,17 @@
 #include "app/commands.hpp"
 #include "app/drum_sound.hpp"
 #include "app/film_list.hpp"
+#include "app/film_pictures.hpp"
 #include "app/kit_film.hpp"
 #include "app/opening_messages.hpp"
 #include "app/performance.hpp"
 #include "app/simulation_flags.hpp"
 #include "app/temporary_folder.hpp"
-#include "files/text_file.hpp"
-
-extern char** environ;
+#include "files/wav_file.hpp"
 
 namespace percussionist::app {
 
 namespace {
-
-/// What draws the film: where the program was installed, or where it was built from.
-std::filesystem::path project_folder() {
-    std::error_code none;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
-    const auto installed = program.parent_path().parent_path() / PERCUSSIONIST_PD_FOLDER;
-    return std::filesystem::exists(installed / "scripts", none) ? installed : PERCUSSIONIST_FOLDER;
-}
 
 struct FilmCommandOptions {
     std::filesystem::path score, film;
@@ -44,21 +31,6 @@ struct FilmCommandOptions {
     sim::SimulationOptions simulation;
     std::optional<KitFilmOptions> kit;  ///< none: one drum
 };
-
-/// Runs a program to its end. Throws std::runtime_error if it cannot be run or fails.
-void run(const std::vector<std::string>& words) {
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    pid_t child = 0;
-    const int error =
-        posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ);
-    if (error != 0) throw std::runtime_error(words[0] + ": " + std::strerror(error));
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (status != 0) throw std::runtime_error("the film could not be made");
-}
 
 /// What is drawn, and heard, in a folder; says what it was.
 struct Filmed {
@@ -95,9 +67,8 @@ void film(const FilmCommandOptions& options) {
     const Filmed filmed =
         options.kit ? Filmed{film_kit(*options.kit, options.film_options, work.path()), ""}
                     : film_drum(options, work.path());
-    files::write_text(work.path() / "size.txt", std::to_string(filmed.pictures));
-    run({(options.project / "scripts" / "film-pictures").string(), work.path().string(),
-         std::to_string(options.film_options.rate), options.film.string()});
+    make_film(work.path(), filmed.pictures, options.film_options.rate, options.film,
+              options.project);
     fmt::print("{}pictures           {}\n", filmed.report, filmed.pictures);
 }
 
