@@ -53,7 +53,7 @@ done < <(grep -rnE '#include <(thread|mutex|condition_variable|future|fstream|fi
 
 # What a plain compiler may not have is where the world outside is: ports, sockets, devices, processes.
 system='unistd\.h|sys/.*|termios\.h|poll\.h|arpa/.*|net/.*|netinet/.*|netdb\.h|ifaddrs\.h|fcntl\.h|pty\.h|spawn\.h|dlfcn\.h|linux/.*|pthread\.h|dirent\.h'
-may_use_it='pd-externals/(io/|pdx/registration\.cpp)|physics-server/(tracker/|osc/(udp_socket|audience|answer_budget)|files/text_file\.cpp|app/(film_command|fastrak_sim_command|progress)\.cpp)'
+may_use_it='pd-externals/(io/|pdx/registration\.cpp)|physics-server/(tracker/|osc/(udp_socket|audience|answer_budget)|files/text_file\.cpp|app/(film_pictures|fastrak_sim_command|progress)\.cpp)'
 while IFS= read -r line; do
     complain "$line: a header that not every system has"
 done < <(grep -rnE "#include <($system)>" core pd-externals physics-server | grep -vE "^($may_use_it)")

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -196,20 +195,6 @@ TEST_CASE("a hand in a hurry rises less") {
     CHECK(slow.height == preparation_height(slow.speed));
     CHECK(fast.height < 0.5 * slow.height);
     CHECK(fast.speed == slow.speed);
-}
-
-TEST_CASE("planning takes time in proportion to the notes, however dense or sparse") {
-    for (const bool dense : {true, false}) {
-        const auto seconds = [dense](int count) {
-            const Score score = dense ? random_score(3, count, 0.013) : even(count, 0.3);
-            const auto start = std::chrono::steady_clock::now();
-            CHECK(plan_strokes(score).strokes.size() > 100);
-            return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        };
-        seconds(1000);
-        const double some = seconds(5000);
-        CHECK(seconds(20000) < 12.0 * some);
-    }
 }
 
 TEST_CASE("a note or a hand that cannot be is refused") {
