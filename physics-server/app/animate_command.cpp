@@ -16,6 +16,7 @@
 #include "app/kit_gltf.hpp"
 #include "app/kit_performance.hpp"
 #include "app/kit_picture.hpp"
+#include "app/kit_score.hpp"
 #include "app/kit_sound.hpp"
 #include "app/progress.hpp"
 #include "app/score_loader.hpp"
@@ -46,14 +47,37 @@ struct AnimateOptions {
     std::vector<double> pictures;  ///< at these times [s]
 };
 
-score::Kit kit_of(const AnimateOptions& options) {
-    return options.kit.empty() ? files::standard_kit() : files::read_kit_file(options.kit);
-}
+/// The motion's files, frame by frame.
+class MotionFiles {
+  public:
+    MotionFiles(const AnimateOptions& options, const body::Skeleton& skeleton,
+                const score::Kit& kit)
+        : glb_(options.folder / "motion.glb"),
+          bvh_(options.folder / "motion.bvh", skeleton, 1.0 / options.frames),
+          objects_(options.folder / "objects.csv", kit),
+          gltf_(skeleton, kit) {}
 
-std::string text_of_kit(const AnimateOptions& options) {
-    return options.kit.empty() ? std::string(files::standard_kit_text())
-                               : files::read_text<std::runtime_error>(options.kit, 1'000'000);
-}
+    void add(double time, const body::Placement& placement,
+             const std::vector<body::ObjectState>& states) {
+        bvh_.add(placement);
+        objects_.add(time, states);
+        if (time < next_glb_) return;
+        gltf_.add(time, placement, states);
+        next_glb_ += kGlbInterval;
+    }
+    void finish() {
+        bvh_.finish();
+        objects_.finish();
+        gltf_.write(glb_);
+    }
+
+  private:
+    std::filesystem::path glb_;
+    BvhWriter bvh_;
+    ObjectsWriter objects_;
+    KitGltf gltf_;
+    double next_glb_ = 0.0;  ///< [s]
+};
 
 /// What was hit, what was left out and why, and how well.
 struct Account {
@@ -65,7 +89,8 @@ struct Account {
 
 class Animator {
   public:
-    explicit Animator(const AnimateOptions& options) : options_(options), kit_(kit_of(options)) {
+    explicit Animator(const AnimateOptions& options)
+        : options_(options), kit_(load_kit(options.kit)) {
         std::vector<std::string> warnings;
         score_ = read_score(options.score, warnings);
         for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
@@ -102,11 +127,7 @@ class Animator {
   private:
     void write_motion() {
         Progress progress("frames");
-        KitGltf gltf(animation_->skeleton(), kit_);
-        double next_glb = 0.0;
-        BvhWriter bvh(options_.folder / "motion.bvh", animation_->skeleton(),
-                      1.0 / options_.frames);
-        ObjectsWriter objects(options_.folder / "objects.csv", kit_);
+        MotionFiles files(options_, animation_->skeleton(), kit_);
         body::StickWatch watch(*animation_, kit_);
         body::Posture posture(animation_->skeleton());
         body::Placement placement(animation_->skeleton());
@@ -117,17 +138,10 @@ class Animator {
             animation_->at(time, posture, placement);
             animation_->kit_at(time, placement, states);
             watch.see(time, placement);
-            bvh.add(placement);
-            objects.add(time, states);
-            if (time >= next_glb) {
-                gltf.add(time, placement, states);
-                next_glb += kGlbInterval;
-            }
+            files.add(time, placement, states);
             progress.tell(static_cast<double>(i) / static_cast<double>(count));
         }
-        bvh.finish();
-        objects.finish();
-        gltf.write(options_.folder / "motion.glb");
+        files.finish();
         progress.done();
         account_.line("fastest tip", fmt::format("{:.1f} m/s, at {:.3f} s", watch.top_speed(),
                                                  watch.top_speed_at()));
@@ -138,11 +152,7 @@ class Animator {
     /// The same out of the simulation.
     void write_performance() {
         Progress progress("simulated");
-        BvhWriter bvh(options_.folder / "motion.bvh", animation_->skeleton(),
-                      1.0 / options_.frames);
-        ObjectsWriter objects(options_.folder / "objects.csv", kit_);
-        KitGltf gltf(animation_->skeleton(), kit_);
-        double next_glb = 0.0;
+        MotionFiles files(options_, animation_->skeleton(), kit_);
         std::vector<body::ObjectState> states;
         std::vector<double> pictures = options_.pictures;
         std::size_t frames = 0;
@@ -153,12 +163,7 @@ class Animator {
                 const double time = static_cast<double>(frames) / options_.frames;
                 if (now.time() + half >= time) {
                     now.kit_state(states);
-                    bvh.add(now.placement());
-                    objects.add(time, states);
-                    if (time >= next_glb) {
-                        gltf.add(time, now.placement(), states);
-                        next_glb += kGlbInterval;
-                    }
+                    files.add(time, now.placement(), states);
                     ++frames;
                     progress.tell(now.time() / duration_);
                 }
@@ -169,9 +174,7 @@ class Animator {
                     return true;
                 });
             });
-        bvh.finish();
-        objects.finish();
-        gltf.write(options_.folder / "motion.glb");
+        files.finish();
         progress.done();
         if (!performance.sane) throw std::runtime_error("the simulation has gone astray");
         for (const auto& [what, value] : account_of(kit_, plan_.strokes, performance)) {
@@ -225,7 +228,9 @@ class Animator {
     void write_film() const {
         const TemporaryFolder work;
         const FilmOptions film;
-        const int pictures = film_kit(
+        body::LiveDrummer drummer(kit_);
+        const int pictures = film_strokes(
+            drummer, plan_.strokes,
             {.score = options_.score, .kit = options_.kit.string(), .audio = options_.audio}, film,
             work.path());
         make_film(work.path(), pictures, film.rate, options_.folder / "film.mp4", project_folder());
@@ -234,7 +239,7 @@ class Animator {
     void write_kit() const {
         const auto poses = all_poses(animation_->skeleton(), animation_->poses(), kit_);
         files::write_text(options_.write_kit,
-                          text_of_kit(options_) +
+                          kit_text(options_.kit) +
                               "\n# The poses, to be edited: Euler angles z y x.\n" +
                               files::pose_lines(kit_, poses));
     }

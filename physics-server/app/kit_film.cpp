@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/body_messages.hpp"
 #include "app/kit_messages.hpp"
 #include "app/kit_score.hpp"
 #include "app/kit_sound.hpp"
@@ -26,19 +27,20 @@ double end_of(const std::vector<score::KitStroke>& strokes) {
     return (strokes.empty() ? 0.0 : strokes.back().time) + kRingOut;
 }
 
-void draw(const KitScore& score, body::LiveDrummer& drummer, FilmList& list) {
-    drummer.load(score.strokes);
+void draw(const std::vector<score::KitStroke>& strokes, body::LiveDrummer& drummer,
+          FilmList& list) {
+    drummer.load(strokes);
     list.say(osc::encode(scene_message(0.0, drummer.skeleton()), 0.0));
     list.say(osc::encode(kit_message(0.0, drummer.kit()), 0.0));
     score::SongClock song;
     song.play(0.0, -kLeadIn);
-    const double length = kLeadIn + end_of(score.strokes);
+    const double length = kLeadIn + end_of(strokes);
     Progress progress("motion");
     for (int i = 1; i * kStep < length; ++i) {
         const double time = i * kStep;
         drummer.step(time, song.advance(time));
         if (!list.due(time)) continue;
-        list.say(osc::encode(pose_message(time, drummer), 0.0));
+        list.say(osc::encode(pose_message(time, drummer.skeleton(), drummer.placement()), 0.0));
         list.say(osc::encode(objects_message(time, drummer), 0.0));
         list.draw();
         progress.tell(time / length);
@@ -89,11 +91,17 @@ int film_kit(const KitFilmOptions& options, const FilmOptions& film,
     fmt::print("score: {}: {} of {} notes as strokes\n", score.title, score.strokes.size(),
                score.notes);
     std::fflush(stdout);
+    return film_strokes(drummer, score.strokes, options, film, folder);
+}
+
+int film_strokes(body::LiveDrummer& drummer, const std::vector<score::KitStroke>& strokes,
+                 const KitFilmOptions& options, const FilmOptions& film,
+                 const std::filesystem::path& folder) {
     FilmList list(folder / "film.txt", film);
-    draw(score, drummer, list);
+    draw(strokes, drummer, list);
     const bool itself = options.audio.empty() && is_recording(options.score);
     files::write_wav(folder / "performance.wav",
-                     kit_sound_with(drummer.kit(), score.strokes,
+                     kit_sound_with(drummer.kit(), strokes,
                                     {std::filesystem::path(options.kit).parent_path(),
                                      itself ? options.score : options.audio, kLeadIn}));
     return list.finish();

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/film_list.hpp"
+#include "body/live_drummer.hpp"
 #include "core/score/kit_plan.hpp"
 #include "files/wav_file.hpp"
 
@@ -18,6 +19,11 @@ struct KitFilmOptions {
 /// Writes film.txt and performance.wav into `folder`; how many pictures that makes.
 int film_kit(const KitFilmOptions& options, const FilmOptions& film,
              const std::filesystem::path& folder);
+
+/// The same of strokes that are planned already, on the drummer's kit; the score is not read.
+int film_strokes(body::LiveDrummer& drummer, const std::vector<score::KitStroke>& strokes,
+                 const KitFilmOptions& options, const FilmOptions& film,
+                 const std::filesystem::path& folder);
 
 struct KitSoundAlong {
     std::filesystem::path kit_folder;  ///< where mode files that the kit names are

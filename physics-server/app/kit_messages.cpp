@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/body_messages.hpp"
 #include "app/kit_figure.hpp"
 #include "core/score/stroke_plan.hpp"
 
@@ -11,20 +12,7 @@ namespace percussionist::app {
 
 namespace {
 
-using linear::Quaternion;
 using linear::Vector3;
-
-template <std::size_t N>
-std::array<float, N> floats(const Vector3& v) {
-    std::array<float, N> out{};
-    for (std::size_t i = 0; i < N; ++i) out[i] = static_cast<float>(v[static_cast<int>(i)]);
-    return out;
-}
-
-std::array<float, 4> floats(const Quaternion& q) {
-    return {static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()),
-            static_cast<float>(q.z())};
-}
 
 /// Where on the face, from its middle: forward, to the left [m].
 std::array<float, 2> place_on(const score::KitEvent& event, score::Limb limb) {
@@ -89,18 +77,6 @@ LoggedContact logged_contact(const osc::ContactMessage& m) {
     return logged;
 }
 
-osc::PoseMessage pose_message(double time, const body::LiveKit& drummer) {
-    osc::PoseMessage pose;
-    pose.wall = time;
-    const body::Skeleton& skeleton = drummer.skeleton();
-    const body::Placement& placement = drummer.placement();
-    for (int i = 0; i < skeleton.size(); ++i) {
-        pose.bodies.push_back({skeleton.segments[i].name, floats<3>(placement.com[i]),
-                               floats(placement.orientation[i])});
-    }
-    return pose;
-}
-
 osc::ObjectsMessage objects_message(double time, const body::LiveKit& drummer) {
     osc::ObjectsMessage message;
     message.wall = time;
@@ -111,16 +87,6 @@ osc::ObjectsMessage objects_message(double time, const body::LiveKit& drummer) {
                                    static_cast<float>(s.beater)});
     }
     return message;
-}
-
-osc::SceneMessage scene_message(double time, const body::Skeleton& skeleton) {
-    osc::SceneMessage scene;
-    scene.wall = time;
-    for (const body::Segment& s : skeleton.segments) {
-        const Vector3 middle = 0.5 * (s.joint_rest + s.end_rest) - s.com_rest;
-        scene.bodies.push_back({s.name, floats<3>(middle), floats<3>(s.size)});
-    }
-    return scene;
 }
 
 osc::KitMessage kit_message(double time, const score::Kit& kit) {

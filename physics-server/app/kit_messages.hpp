@@ -20,9 +20,7 @@ osc::ContactMessage contact_message(const body::KitContact& contact, const score
 /// The same for the log; its hand is the limb's side.
 LoggedContact logged_contact(const osc::ContactMessage& contact);
 
-osc::PoseMessage pose_message(double time, const body::LiveKit& drummer);
 osc::ObjectsMessage objects_message(double time, const body::LiveKit& drummer);
-osc::SceneMessage scene_message(double time, const body::Skeleton& skeleton);
 osc::KitMessage kit_message(double time, const score::Kit& kit);
 
 /// The pose that is shown and its joints, if one is.

@@ -204,6 +204,7 @@ std::vector<std::pair<std::string, std::string>> account_of(const score::Kit& ki
                                                             const KitPerformance& performance) {
     std::vector<double> off;
     std::size_t missed = 0, untimely = 0;
+    double most = -1.0;
     std::string worst;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (!performance.of_stroke[i]) {
@@ -213,7 +214,8 @@ std::vector<std::pair<std::string, std::string>> account_of(const score::Kit& ki
         const double late =
             performance.contacts[*performance.of_stroke[i]].contact.instant - strokes[i].time;
         if (std::abs(late) > kInTime) ++untimely;
-        if (off.empty() || std::abs(late) > *std::max_element(off.begin(), off.end())) {
+        if (std::abs(late) > most) {
+            most = std::abs(late);
             worst = fmt::format("{:+.2f} ms, {} by the {} at {:.3f} s", 1e3 * late,
                                 kit.events[strokes[i].event].name, score::name(strokes[i].limb),
                                 strokes[i].time);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "app/body_messages.hpp"
 #include "app/kit_messages.hpp"
 #include "app/named_file.hpp"
 #include "app/route_file.hpp"
@@ -36,7 +37,6 @@ constexpr double kBeforeAll = -10.0;
 /// A tag farther from now comes from a clock that is not ours [s].
 constexpr double kSameClock = 1.0;
 constexpr double kOldest = 10.0;  // place told [s]
-constexpr std::size_t kMostKits = 100;
 
 bool is_ready(const auto& work) {
     return work.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -45,13 +45,7 @@ bool is_ready(const auto& work) {
 void write_kit(const std::filesystem::path& folder, const std::string& name,
                const std::string& text) {
     const std::filesystem::path path = named_file(folder, name, ".kit");
-    std::size_t kits = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        kits += entry.path().extension() == ".kit" ? 1 : 0;
-    }
-    if (!std::filesystem::exists(path) && kits >= kMostKits) {
-        throw std::runtime_error(folder.string() + ": holds 100 kits already");
-    }
+    require_room(path);
     files::replace_text(path, text);
 }
 
@@ -318,7 +312,7 @@ void KitServer::tell_contact(const body::KitContact& contact) {
 
 void KitServer::tell_pose() {
     next_pose_ += kPoseInterval;
-    tell(pose_message(time_, drummer_));
+    tell(pose_message(time_, drummer_.skeleton(), drummer_.placement()));
     tell(objects_message(time_, drummer_));
 }
 

@@ -8,6 +8,7 @@
 #include <exception>
 #include <type_traits>
 
+#include "app/body_messages.hpp"
 #include "app/gesture_library.hpp"
 #include "app/route_file.hpp"
 #include "osc/wire.hpp"
@@ -22,13 +23,6 @@ constexpr double kLate = 0.005;
 constexpr double kGiveUp = 0.5;
 constexpr double kPoseInterval = 1.0 / 60.0;
 constexpr double kStatusInterval = 1.0;
-
-template <std::size_t N>
-std::array<float, N> floats(const linear::Vector3& v) {
-    std::array<float, N> out{};
-    for (std::size_t i = 0; i < N; ++i) out[i] = static_cast<float>(v[static_cast<int>(i)]);
-    return out;
-}
 
 /// As a recording holds it. Nothing of what depends on how busy the machine is (the status), or is
 /// told by routes alone.
@@ -250,28 +244,13 @@ void Server::tell_strike(const Asked& given) {
 
 void Server::tell_pose() {
     next_pose_ += kPoseInterval;
-    osc::PoseMessage pose;
     const sim::Simulation& simulation = performance_.simulation();
-    pose.wall = simulation.time();
-    const body::Placement& placement = simulation.placement();
-    for (int i = 0; i < simulation.skeleton().size(); ++i) {
-        const linear::Quaternion& q = placement.orientation[i];
-        pose.bodies.push_back({simulation.skeleton().segments[i].name,
-                               floats<3>(placement.com[i]),
-                               {static_cast<float>(q.w()), static_cast<float>(q.x()),
-                                static_cast<float>(q.y()), static_cast<float>(q.z())}});
-    }
-    tell(std::move(pose));
+    tell(pose_message(simulation.time(), simulation.skeleton(), simulation.placement()));
 }
 
 void Server::tell_scene() {
     const sim::Simulation& simulation = performance_.simulation();
-    osc::SceneMessage scene;
-    scene.wall = simulation.time();
-    for (const body::Segment& s : simulation.skeleton().segments) {
-        const linear::Vector3 middle = 0.5 * (s.joint_rest + s.end_rest) - s.com_rest;
-        scene.bodies.push_back({s.name, floats<3>(middle), floats<3>(s.size)});
-    }
+    osc::SceneMessage scene = scene_message(simulation.time(), simulation.skeleton());
     scene.drums.push_back({0, floats<3>(simulation.head_centre()),
                            static_cast<float>(simulation.options().head.membrane.radius)});
     tell(std::move(scene));

@@ -8,54 +8,15 @@
 #include <thread>
 
 #include "files/kit_file.hpp"
-#include "support/osc_listener.hpp"
+#include "support/running_server.hpp"
 
 using namespace percussionist;
 using test::OscListener;
+using test::subscription;
 
 namespace {
 
-/// Goes as fast as it is asked to: sleeping is jumping ahead.
-class TestClock : public app::WallClock {
-  public:
-    double now() const override { return now_; }
-    void sleep_until(double time) override {
-        now_ = std::max(now_.load(), time);
-        std::this_thread::yield();
-    }
-
-  private:
-    std::atomic<double> now_{1.7e9};
-};
-
-class RunningKit {
-  public:
-    explicit RunningKit(app::KitServeOptions options = {})
-        : server_(with_free_port(std::move(options)), clock_),
-          thread_([this] { server_.run(stop_); }) {}
-    ~RunningKit() { end(); }
-    void end() {
-        stop_ = true;
-        if (thread_.joinable()) thread_.join();
-    }
-    int port() const { return server_.port(); }
-    const app::KitServer& server() const { return server_; }  ///< once it has ended
-
-  private:
-    static app::KitServeOptions with_free_port(app::KitServeOptions options) {
-        options.endpoint.port = 0;
-        return options;
-    }
-    TestClock clock_;
-    app::KitServer server_;
-    std::atomic<bool> stop_{false};
-    std::thread thread_;
-};
-
-void subscribe(OscListener& listener, const std::string& feed) {
-    listener.send(osc::encode_message(
-        "/subscribe", std::vector<osc::Argument>{static_cast<double>(listener.port()), feed}));
-}
+using RunningKit = test::Running<app::KitServer, app::KitServeOptions>;
 
 osc::Packet note(double key, double velocity, const std::string& sound) {
     return osc::encode_message("/note", std::vector<osc::Argument>{key, velocity, sound});
@@ -66,7 +27,7 @@ osc::Packet note(double key, double velocity, const std::string& sound) {
 TEST_CASE("kit server: tells the kit, what moves of it, and every stroke once") {
     RunningKit kit;
     OscListener all(kit.port());
-    subscribe(all, "all");
+    all.send(subscription(all, "all"));
     REQUIRE(all.hears("/status"));
     all.send("/play");
     REQUIRE(all.hears("/finished"));
@@ -86,7 +47,7 @@ TEST_CASE("kit server: a live note is a contact, at once or with its stroke, and
     for (const char* sound : {"now", "contact"}) {
         RunningKit kit;
         OscListener sounds(kit.port());
-        subscribe(sounds, "sound");
+        sounds.send(subscription(sounds, "sound"));
         REQUIRE(sounds.hears("/status"));
         sounds.send(note(38, 100, sound));
         REQUIRE(sounds.hears("/noted"));
@@ -99,7 +60,7 @@ TEST_CASE("kit server: a live note is a contact, at once or with its stroke, and
 TEST_CASE("kit server: a note that has sounded is nobody's contact; a key of no event is refused") {
     RunningKit kit;
     OscListener sounds(kit.port());
-    subscribe(sounds, "sound");
+    sounds.send(subscription(sounds, "sound"));
     REQUIRE(sounds.hears("/status"));
     sounds.send(note(38, 100, "none"));
     REQUIRE(sounds.hears("/noted"));
@@ -115,7 +76,7 @@ TEST_CASE("kit server: a note that has sounded is nobody's contact; a key of no 
 TEST_CASE("kit server: told where a song is it goes on from there; paused it stays") {
     RunningKit kit;
     OscListener sounds(kit.port());
-    subscribe(sounds, "sound");
+    sounds.send(subscription(sounds, "sound"));
     REQUIRE(sounds.hears("/status"));
     sounds.send(osc::encode_message("/song/position", std::vector<osc::Argument>{5.0}));
     REQUIRE(sounds.hears("/contact"));
@@ -137,7 +98,7 @@ TEST_CASE(
     options.score_folder = folder;
     RunningKit kit(options);
     OscListener editor(kit.port());
-    subscribe(editor, "sound");
+    editor.send(subscription(editor, "sound"));
     REQUIRE(editor.hears("/status"));
     editor.send(
         osc::encode_message("/pose/joint", std::vector<osc::Argument>{"elbow", .1, .2, .3}));

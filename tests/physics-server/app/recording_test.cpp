@@ -11,24 +11,13 @@
 #include "app/server.hpp"
 #include "app/simulation_flags.hpp"
 #include "app/told_comparison.hpp"
-#include "support/osc_listener.hpp"
+#include "support/running_server.hpp"
 
 using namespace percussionist;
+using test::HurriedClock;
 using test::OscListener;
 
 namespace {
-
-class HurriedClock : public app::WallClock {
-  public:
-    double now() const override { return now_; }
-    void sleep_until(double time) override {
-        now_ = std::max(now_.load(), time);
-        std::this_thread::yield();
-    }
-
-  private:
-    std::atomic<double> now_{1.7e9};
-};
 
 struct Folder {
     std::filesystem::path path = std::filesystem::temp_directory_path() / "percussionist-takes";
@@ -45,8 +34,7 @@ std::vector<app::LoggedContact> perform(app::ServeOptions options,
     std::atomic<bool> stop{false};
     std::thread thread([&] { server.run(stop); });
     OscListener client(server.port());
-    client.send(osc::encode_message(
-        "/subscribe", std::vector<osc::Argument>{static_cast<double>(client.port()), "sound"}));
+    client.send(test::subscription(client, "sound"));
     act(client);
     stop = true;
     thread.join();

@@ -11,57 +11,15 @@
 #include <thread>
 
 #include "app/route_file.hpp"
-#include "support/osc_listener.hpp"
+#include "support/running_server.hpp"
 
 using namespace percussionist;
 using test::OscListener;
+using test::subscription;
 
 namespace {
 
-/// Goes as fast as it is asked to: sleeping is jumping ahead.
-class TestClock : public app::WallClock {
-  public:
-    double now() const override { return now_; }
-    void sleep_until(double time) override {
-        now_ = std::max(now_.load(), time);
-        std::this_thread::yield();
-    }
-    void jump(double seconds) { now_ = now_ + seconds; }
-
-  private:
-    std::atomic<double> now_{1.7e9};
-};
-
-/// A server in a thread of its own, by a clock of its own.
-class RunningServer {
-  public:
-    explicit RunningServer(app::ServeOptions options = {})
-        : server_(with_free_port(std::move(options)), clock_),
-          thread_([this] { server_.run(stop_); }) {}
-    ~RunningServer() { end(); }
-    void end() {
-        stop_ = true;
-        if (thread_.joinable()) thread_.join();
-    }
-    int port() const { return server_.port(); }
-    TestClock& clock() { return clock_; }
-    const app::Server& server() const { return server_; }  ///< once it has ended
-
-  private:
-    static app::ServeOptions with_free_port(app::ServeOptions options) {
-        options.endpoint.port = 0;
-        return options;
-    }
-    TestClock clock_;
-    app::Server server_;
-    std::atomic<bool> stop_{false};
-    std::thread thread_;
-};
-
-osc::Packet subscription(const OscListener& listener, const std::string& feed) {
-    return osc::encode_message(
-        "/subscribe", std::vector<osc::Argument>{static_cast<double>(listener.port()), feed});
-}
+using RunningServer = test::Running<app::Server, app::ServeOptions>;
 
 }  // namespace
 
@@ -247,7 +205,7 @@ TEST_CASE(
 }
 
 TEST_CASE("server: a port that is taken is one clear error") {
-    TestClock clock;
+    test::HurriedClock clock;
     app::ServeOptions options;
     options.endpoint.port = 0;
     app::Server first(options, clock);
@@ -261,7 +219,7 @@ TEST_CASE("server: a port that is taken is one clear error") {
 }
 
 TEST_CASE("server: a missing score is one clear error that names it") {
-    TestClock clock;
+    test::HurriedClock clock;
     app::ServeOptions options;
     options.endpoint.port = 0;
     options.score = "no-such-file.mid";

@@ -1,0 +1,30 @@
+// A body as what is told of it: values of body/ become messages. Pure functions; times [s] are the
+// caller's.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "body/posture.hpp"
+#include "osc/outgoing.hpp"
+
+namespace percussionist::app {
+
+/// The first N of a vector, and a rotation as w x y z, as they go over the wire.
+template <std::size_t N>
+std::array<float, N> floats(const linear::Vector3& v) {
+    std::array<float, N> out{};
+    for (std::size_t i = 0; i < N; ++i) out[i] = static_cast<float>(v[static_cast<int>(i)]);
+    return out;
+}
+inline std::array<float, 4> floats(const linear::Quaternion& q) {
+    return {static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()),
+            static_cast<float>(q.z())};
+}
+
+osc::PoseMessage pose_message(double time, const body::Skeleton& skeleton,
+                              const body::Placement& placement);
+/// Its segments; no drum.
+osc::SceneMessage scene_message(double time, const body::Skeleton& skeleton);
+
+}  // namespace percussionist::app
