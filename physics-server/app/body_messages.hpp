@@ -10,6 +10,10 @@
 
 namespace percussionist::app {
 
+// How often a running server tells them [s].
+constexpr double kPoseInterval = 1.0 / 60.0;
+constexpr double kStatusInterval = 1.0;
+
 /// The first N of a vector, and a rotation as w x y z, as they go over the wire.
 template <std::size_t N>
 std::array<float, N> floats(const linear::Vector3& v) {

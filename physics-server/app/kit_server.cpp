@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
+#include <functional>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 #include "app/body_messages.hpp"
 #include "app/kit_messages.hpp"
@@ -22,13 +21,7 @@ namespace percussionist::app {
 namespace {
 
 constexpr double kStep = 0.002;  // [s]
-/// A step this much behind the clock counts as late [s].
-constexpr double kLate = 0.005;
-/// Behind by more than this, time pauses rather than rushes [s].
-constexpr double kGiveUp = 0.5;
-constexpr double kPoseInterval = 1.0 / 60.0;
 constexpr double kTickInterval = 0.1;
-constexpr double kStatusInterval = 1.0;
 /// From /play to the score's time 0: he takes up his sticks [s].
 constexpr double kLeadIn = 1.0;
 constexpr double kRingOut = 3.0;  // after the last stroke [s]
@@ -38,37 +31,22 @@ constexpr double kBeforeAll = -10.0;
 constexpr double kSameClock = 1.0;
 constexpr double kOldest = 10.0;  // place told [s]
 
-bool is_ready(const auto& work) {
-    return work.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-}
-
-void write_kit(const std::filesystem::path& folder, const std::string& name,
-               const std::string& text) {
-    const std::filesystem::path path = named_file(folder, name, ".kit");
-    require_room(path);
-    files::replace_text(path, text);
-}
-
 }  // namespace
 
 KitServer::KitServer(const KitServeOptions& options, WallClock& clock)
     : options_(options),
-      clock_(clock),
       kit_text_(kit_text(options.kit)),
       drummer_(load_kit(options.kit)),
-      endpoint_(options.endpoint, [&clock] { return clock.now(); }) {
+      endpoint_(options.endpoint, [&clock] { return clock.now(); }),
+      loading_(endpoint_, "another score is being read"),
+      saving_(endpoint_, "a file is being written"),
+      pace_(clock, kStep) {
     song_.hold(kBeforeAll);
     use(load_kit_score(options.score, drummer_.kit()));
 }
 
 void KitServer::use(KitScore loaded) {
-    constexpr std::size_t kMostRemarks = 50;  // printing takes time
-    for (std::size_t i = 0; i < std::min(loaded.remarks.size(), kMostRemarks); ++i) {
-        fmt::print(stderr, "{}\n", loaded.remarks[i]);
-    }
-    fmt::print("score: {}: {} of {} notes as strokes\n", loaded.title, loaded.strokes.size(),
-               loaded.notes);
-    std::fflush(stdout);
+    print_account(in_brief(loaded), loaded.remarks);
     drummer_.load(loaded.strokes);
     score_ = std::move(loaded);
     stop_playing();
@@ -76,37 +54,25 @@ void KitServer::use(KitScore loaded) {
 
 template <class Message>
 void KitServer::tell(Message message) {
-    message.wall = wall(message.wall);
+    message.wall = pace_.wall(message.wall);
     endpoint_.tell(std::move(message));
 }
 
 void KitServer::run(const std::atomic<bool>& stop) {
-    start_ = clock_.now();
+    pace_.begin();
     if (options_.play) play();
     while (!stop && !ended_) {
         for (const osc::Heard& heard : endpoint_.take_commands()) hear(heard);
-        take_loaded();
-        catch_up(clock_.now());
-        clock_.sleep_until(wall(static_cast<double>(steps_ + 1) * kStep));
+        take_errands();
+        pace_.catch_up([this] {
+            step();
+            return !ended_;
+        });
+        pace_.wait();
     }
     if (options_.log_folder.empty()) return;
     std::filesystem::create_directories(options_.log_folder);
     log_.write_csv(options_.log_folder / "contacts.csv");
-}
-
-void KitServer::catch_up(double now) {
-    const auto next = [this] { return wall(static_cast<double>(steps_ + 1) * kStep); };
-    const double behind = now - next();
-    if (behind > kGiveUp) {
-        start_ += behind;
-        late_steps_ += static_cast<int>(behind / kStep);
-        fmt::print(stderr, "held up for {:.2f} s: time paused\n", behind);
-    }
-    while (next() <= now && !ended_) {
-        if (now - next() > kLate) ++late_steps_;
-        step();
-    }
-    busy_ += clock_.now() - now;
 }
 
 void KitServer::step() {
@@ -160,17 +126,16 @@ bool KitServer::obey(const osc::Heard& heard) {
         answer_note(*note, heard);
         return true;
     } else if (const auto* score = std::get_if<osc::LoadScore>(&command)) {
-        begin_loading(score->path, heard.sender);
+        begin_loading(heard, score->path);
     } else if (const auto* routes = std::get_if<osc::SaveRoutes>(&command)) {
-        save(heard, routes->file + ".routes",
-             [this, file = routes->file, all = endpoint_.routes()] {
-                 write_routes(options_.score_folder, file, all);
-             });
+        saving_.begin(
+            heard,
+            [folder = options_.score_folder, file = routes->file, all = endpoint_.routes()] {
+                return write_routes(folder, file, all);
+            },
+            std::identity());
     } else if (const auto* kit = std::get_if<osc::SaveKit>(&command)) {
-        save(heard, kit->file + ".kit",
-             [this, file = kit->file, text = kit_text_with(kit_text_, drummer_.kit())] {
-                 write_kit(options_.score_folder, file, text);
-             });
+        save_kit(heard, kit->file);
     } else {
         return edit(command);
     }
@@ -194,11 +159,11 @@ void KitServer::stop_playing() {
 }
 
 void KitServer::follow(const osc::SongPosition& told, const osc::Heard& heard) {
-    double at = heard.wall - start_;
+    double at = pace_.time(heard.wall);
     if (told.heard_at) {
         at = *told.heard_at;
     } else if (heard.tag && std::abs(*heard.tag - heard.wall) < kSameClock) {
-        at = *heard.tag - start_;
+        at = pace_.time(*heard.tag);
     }
     at -= options_.endpoint.lookahead;
     if (std::abs(at - time_) > kOldest) {
@@ -234,7 +199,7 @@ void KitServer::answer_note(const osc::Note& note, const osc::Heard& heard) {
         const score::Limb limb = stroke.limb.value_or(e.foot.value_or(score::Limb::right_hand));
         tell_contact({time_, limb, struck, note.velocity, -1, false});
     }
-    const double waited = wall(time_) - heard.wall;
+    const double waited = pace_.wall(time_) - heard.wall;
     tell(osc::NotedMessage{time_, note.key, stroke.limb ? static_cast<int>(*stroke.limb) : -1,
                            static_cast<int>(kit.events[struck].object),
                            static_cast<float>(stroke.time - time_ + waited)});
@@ -260,43 +225,30 @@ bool KitServer::edit(const osc::Command& command) {
     return true;
 }
 
-void KitServer::begin_loading(const std::string& name, const osc::Peer& asker) {
-    if (loading_.valid()) throw std::runtime_error("another score is being read");
-    // Reading a file takes longer than a step: another thread does it.
-    loading_ = std::async(std::launch::async, [this, name, asker, kit = drummer_.kit()] {
-        try {
-            KitScore loaded = load_kit_score(score_in_folder(options_.score_folder, name), kit);
-            endpoint_.answer(asker, "/reply",
-                             {"/score", fmt::format("{}: {} of {} notes", loaded.title,
-                                                    loaded.strokes.size(), loaded.notes)});
-            return loaded;
-        } catch (const std::exception& error) {
-            endpoint_.answer(asker, "/error", {"/score", error.what()});
-            throw;
-        }
-    });
+void KitServer::begin_loading(const osc::Heard& heard, const std::string& name) {
+    loading_.begin(
+        heard,
+        [folder = options_.score_folder, name, kit = drummer_.kit()] {
+            return load_kit_score(score_in_folder(folder, name), kit);
+        },
+        in_brief<KitScore>);
 }
 
-void KitServer::take_loaded() {
-    if (!loading_.valid() || !is_ready(loading_)) return;
-    try {
-        use(loading_.get());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", error.what());  // what was loaded before plays on
-    }
+void KitServer::save_kit(const osc::Heard& heard, const std::string& file) {
+    saving_.begin(
+        heard,
+        [folder = options_.score_folder, file, text = kit_text_with(kit_text_, drummer_.kit())] {
+            const std::filesystem::path path = named_file(folder, file, ".kit");
+            require_room(path);
+            files::replace_text(path, text);
+            return path.filename().string();
+        },
+        std::identity());
 }
 
-void KitServer::save(const osc::Heard& heard, const std::string& name,
-                     std::function<void()> write) {
-    if (saving_.valid() && !is_ready(saving_)) throw std::runtime_error("a file is being written");
-    saving_ = std::async(std::launch::async, [this, heard, name, write = std::move(write)] {
-        try {
-            write();
-            endpoint_.answer(heard.sender, "/reply", {heard.address, name});
-        } catch (const std::exception& error) {
-            endpoint_.answer(heard.sender, "/error", {heard.address, error.what()});
-        }
-    });
+void KitServer::take_errands() {
+    saving_.take();
+    if (auto read = loading_.take()) use(std::move(*read));
 }
 
 void KitServer::tell_contact(const body::KitContact& contact) {
@@ -339,11 +291,10 @@ void KitServer::tell_status() {
     next_status_ += kStatusInterval;
     osc::StatusMessage status;
     status.wall = status.time = time_;
-    status.load = static_cast<float>(busy_ / kStatusInterval);
-    status.late_steps = late_steps_;
+    status.load = static_cast<float>(pace_.take_busy() / kStatusInterval);
+    status.late_steps = pace_.late_steps();
     status.strokes = asked_ + drummer_.passed_over();
     status.contacts = static_cast<int>(log_.contacts().size());
-    busy_ = 0.0;
     tell(status);
 }
 

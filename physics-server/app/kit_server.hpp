@@ -8,15 +8,14 @@
 
 #include <atomic>
 #include <filesystem>
-#include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "app/errand.hpp"
 #include "app/kit_score.hpp"
 #include "app/performance_log.hpp"
-#include "app/wall_clock.hpp"
+#include "app/step_clock.hpp"
 #include "body/live_drummer.hpp"
 #include "osc/endpoint.hpp"
 
@@ -41,7 +40,7 @@ class KitServer {
     void run(const std::atomic<bool>& stop);
 
     [[nodiscard]] int port() const { return endpoint_.port(); }
-    [[nodiscard]] int late_steps() const { return late_steps_; }
+    [[nodiscard]] int late_steps() const { return pace_.late_steps(); }
     [[nodiscard]] TimingSummary summary() const { return log_.summary(asked_); }
     [[nodiscard]] const PerformanceLog& log() const { return log_; }
     [[nodiscard]] const body::LiveDrummer& drummer() const { return drummer_; }
@@ -55,11 +54,10 @@ class KitServer {
     void follow(const osc::SongPosition& told, const osc::Heard& heard);
     void answer_note(const osc::Note& note, const osc::Heard& heard);
     bool edit(const osc::Command& command);
-    void begin_loading(const std::string& name, const osc::Peer& asker);
-    void take_loaded();
-    void save(const osc::Heard& heard, const std::string& name, std::function<void()> write);
+    void begin_loading(const osc::Heard& heard, const std::string& name);
+    void save_kit(const osc::Heard& heard, const std::string& file);
+    void take_errands();
     void use(KitScore loaded);
-    void catch_up(double now);
     void step();
     void tell_due();
     void tell_contact(const body::KitContact& contact);
@@ -70,24 +68,21 @@ class KitServer {
     void check_end();
     template <class Message>
     void tell(Message message);
-    [[nodiscard]] double wall(double time) const { return start_ + time; }
 
     KitServeOptions options_;
-    WallClock& clock_;
     std::string kit_text_;
     body::LiveDrummer drummer_;
     score::SongClock song_;
     osc::Endpoint endpoint_;
     KitScore score_;
-    std::future<KitScore> loading_;
-    std::future<void> saving_;
+    Errand<KitScore> loading_;
+    Errand<std::string> saving_;
     PerformanceLog log_;
-    double start_ = 0.0;      ///< wall clock at time 0 [s]
+    StepClock pace_;
     std::int64_t steps_ = 0;  ///< done
     double time_ = 0.0;       ///< of the last step [s]
     double next_pose_ = 0.0, next_tick_ = 0.0, next_status_ = 0.0;
-    double busy_ = 0.0;  ///< computing time since the last status [s]
-    int late_steps_ = 0, sequence_ = 0, asked_ = 0;
+    int sequence_ = 0, asked_ = 0;
     bool performing_ = false;  ///< a song that has not ended
     bool changed_ = false, ended_ = false;
 };

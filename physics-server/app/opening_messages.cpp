@@ -39,7 +39,7 @@ void obey(Steering& steering, const std::vector<std::string>& messages) {
         std::istringstream words(message);
         std::string path;
         words >> path;
-        const auto said = osc::understand(path, arguments(words), {});
+        const auto said = osc::understand(path, arguments(words));
         if (const auto* refusal = std::get_if<osc::Refusal>(&said)) {
             throw std::invalid_argument("'" + message + "': " + refusal->reason);
         }

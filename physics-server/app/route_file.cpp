@@ -29,13 +29,14 @@ std::vector<std::string> read_routes(const std::filesystem::path& path) {
     return routes;
 }
 
-void write_routes(const std::filesystem::path& folder, const std::string& name,
-                  const std::vector<std::pair<int, std::string>>& routes) {
+std::string write_routes(const std::filesystem::path& folder, const std::string& name,
+                         const std::vector<std::pair<int, std::string>>& routes) {
     const std::filesystem::path path = named_file(folder, name, ".routes");
     require_room(path);
     std::string text;
     for (const auto& [number, line] : routes) text += line + '\n';
     files::replace_text(path, text);
+    return path.filename().string();
 }
 
 }  // namespace percussionist::app

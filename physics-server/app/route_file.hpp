@@ -12,9 +12,9 @@ namespace percussionist::app {
 /// Throws std::runtime_error naming file and line.
 std::vector<std::string> read_routes(const std::filesystem::path& path);
 
-/// Writes NAME.routes into `folder`. Throws std::runtime_error if NAME is no plain name (letters,
-/// digits, - and _) or the file cannot be written; what was in it stays then.
-void write_routes(const std::filesystem::path& folder, const std::string& name,
-                  const std::vector<std::pair<int, std::string>>& routes);
+/// Writes NAME.routes into `folder` and returns that name. Throws std::runtime_error if NAME is no
+/// plain name (letters, digits, - and _) or the file cannot be written; what was in it stays then.
+std::string write_routes(const std::filesystem::path& folder, const std::string& name,
+                         const std::vector<std::pair<int, std::string>>& routes);
 
 }  // namespace percussionist::app

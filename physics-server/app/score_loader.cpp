@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -43,6 +44,17 @@ ScoreSource source_of(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+void print_account(const std::string& brief, const std::vector<std::string>& remarks) {
+    constexpr std::size_t kMostRemarks = 50;  // printing takes time
+    const std::size_t shown = std::min(remarks.size(), kMostRemarks);
+    for (std::size_t i = 0; i < shown; ++i) fmt::print(stderr, "{}\n", remarks[i]);
+    if (shown < remarks.size()) {
+        fmt::print(stderr, "and {} more remarks\n", remarks.size() - shown);
+    }
+    fmt::print("score: {} as strokes\n", brief);
+    std::fflush(stdout);
+}
 
 bool is_recording(const std::filesystem::path& path) {
     const std::string kind = path.extension().string();

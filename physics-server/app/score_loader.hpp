@@ -23,6 +23,16 @@ struct LoadedScore {
     ScoreSource source;
 };
 
+/// "TITLE: 12 of 13 notes", of a LoadedScore or a KitScore.
+template <class Loaded>
+std::string in_brief(const Loaded& score) {
+    return score.title + ": " + std::to_string(score.strokes.size()) + " of " +
+           std::to_string(score.notes) + " notes";
+}
+
+/// What is said of a score that will be played; remarks beyond the first 50 are counted.
+void print_account(const std::string& brief, const std::vector<std::string>& remarks);
+
 /// By its name, a recording of sound.
 bool is_recording(const std::filesystem::path& path);
 

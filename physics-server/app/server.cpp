@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <exception>
+#include <functional>
 #include <type_traits>
+#include <utility>
 
 #include "app/body_messages.hpp"
 #include "app/gesture_library.hpp"
@@ -16,13 +14,6 @@
 namespace percussionist::app {
 
 namespace {
-
-/// A step this much behind the clock counts as late [s].
-constexpr double kLate = 0.005;
-/// Behind by more than this, simulated time pauses rather than rushes [s].
-constexpr double kGiveUp = 0.5;
-constexpr double kPoseInterval = 1.0 / 60.0;
-constexpr double kStatusInterval = 1.0;
 
 /// As a recording holds it. Nothing of what depends on how busy the machine is (the status), or is
 /// told by routes alone.
@@ -41,25 +32,19 @@ osc::Packet recorded(const Message& message) {
 
 Server::Server(const ServeOptions& options, WallClock& clock)
     : options_(options),
-      clock_(clock),
       performance_(options.simulation),
+      pace_(clock, performance_.simulation().step_length()),
       steering_(performance_, load_gestures(options.gestures)),
       endpoint_(options.endpoint, [&clock] { return clock.now(); }),
-      tape_(options.settings) {
+      tape_(options.settings),
+      loading_(endpoint_, "another score is being read"),
+      saving_(endpoint_, "routes are being written") {
     if (!options.recording.empty()) tape_.begin(options.recording);
     if (!options.replay) use(load_score(options.score));
 }
 
 void Server::use(LoadedScore loaded) {
-    constexpr std::size_t kMostRemarks = 50;  // printing takes time
-    const std::size_t shown = std::min(loaded.remarks.size(), kMostRemarks);
-    for (std::size_t i = 0; i < shown; ++i) fmt::print(stderr, "{}\n", loaded.remarks[i]);
-    if (shown < loaded.remarks.size()) {
-        fmt::print(stderr, "and {} more remarks\n", loaded.remarks.size() - shown);
-    }
-    fmt::print("score: {}: {} of {} notes as strokes\n", loaded.title, loaded.strokes.size(),
-               loaded.notes);
-    std::fflush(stdout);
+    print_account(in_brief(loaded), loaded.remarks);
     tape_.loaded(steps(), loaded.source);
     performance_.load(std::move(loaded.strokes));
 }
@@ -72,18 +57,21 @@ void Server::tell(Message message) {
         if (options_.told && !packet.empty()) options_.told(steps(), packet);
         if (!packet.empty()) tape_.told(steps(), packet);
     }
-    message.wall = wall(message.wall);
+    message.wall = pace_.wall(message.wall);
     endpoint_.tell(std::move(message));
 }
 
 void Server::run(const std::atomic<bool>& stop) {
-    start_ = clock_.now();
+    pace_.begin();
     if (options_.play) hear({osc::Play{}, "/play", {}, {}});
     while (!stop && !ended_) {
         for (const osc::Heard& heard : endpoint_.take_commands()) hear(heard);
-        take_loaded_score();
-        catch_up(clock_.now());
-        clock_.sleep_until(wall(next_step_end()));
+        take_errands();
+        pace_.catch_up([this] {
+            step();
+            return !ended_;
+        });
+        pace_.wait();
     }
     if (tape_.recording()) {
         const std::string fault = tape_.end(steps());
@@ -96,25 +84,6 @@ void Server::write_log() const {
     if (options_.log_folder.empty()) return;
     std::filesystem::create_directories(options_.log_folder);
     performance_.log().write_csv(options_.log_folder / "contacts.csv");
-}
-
-void Server::catch_up(double now) {
-    const double behind = now - wall(next_step_end());
-    if (behind > kGiveUp) {
-        start_ += behind;
-        late_steps_ += static_cast<int>(behind / performance_.simulation().step_length());
-        fmt::print(stderr, "held up for {:.2f} s: simulated time paused\n", behind);
-    }
-    while (wall(next_step_end()) <= now && !ended_) {
-        if (now - wall(next_step_end()) > kLate) ++late_steps_;
-        step();
-    }
-    busy_ += clock_.now() - now;
-}
-
-double Server::next_step_end() const {
-    const sim::Simulation& simulation = performance_.simulation();
-    return simulation.time() + simulation.step_length();
 }
 
 void Server::step() {
@@ -135,50 +104,40 @@ void Server::step() {
     if (options_.stepped) options_.stepped(performance_);
 }
 
-void Server::obey(const osc::Command& command) {
+void Server::obey(const osc::Heard& heard) {
+    const osc::Command& command = heard.command;
     if (std::holds_alternative<osc::Play>(command)) {
         play();
     } else if (std::holds_alternative<osc::Stop>(command)) {
         performance_.stop();
     } else if (const auto* score = std::get_if<osc::LoadScore>(&command)) {
-        begin_loading(*score);
-    } else if (const auto* save = std::get_if<osc::SaveRoutes>(&command)) {
-        save_routes(*save);
+        begin_loading(heard, score->path);
+    } else if (const auto* routes = std::get_if<osc::SaveRoutes>(&command)) {
+        saving_.begin(
+            heard,
+            [folder = options_.score_folder, file = routes->file, all = endpoint_.routes()] {
+                return write_routes(folder, file, all);
+            },
+            std::identity());
     } else if (const auto* wish = std::get_if<osc::Record>(&command)) {
-        record(*wish);
+        record(heard, wish->file);
     } else {
-        steer(command);
-    }
-}
-
-void Server::steer(const osc::Command& command) {
-    try {
         steering_.obey(command);
-    } catch (const std::invalid_argument& error) {
-        // Only of names is it not known before whether there is such a thing.
-        const auto* nuance = std::get_if<osc::SetNuance>(&command);
-        if (nuance != nullptr) endpoint_.answer(nuance->asker, "/error", {"/nuance", error.what()});
     }
 }
 
-void Server::begin_loading(const osc::LoadScore& wish) {
-    if (loading_.valid()) {
-        endpoint_.answer(wish.asker, "/error", {"/score", "another score is being read"});
-        return;
-    }
-    // Reading a file takes longer than a step: another thread does it.
-    loading_ = std::async(std::launch::async, [this, wish] {
-        try {
-            LoadedScore loaded = load_score(score_in_folder(options_.score_folder, wish.path));
-            endpoint_.answer(wish.asker, "/reply",
-                             {"/score", fmt::format("{}: {} of {} notes", loaded.title,
-                                                    loaded.strokes.size(), loaded.notes)});
-            return loaded;
-        } catch (const std::exception& error) {
-            endpoint_.answer(wish.asker, "/error", {"/score", error.what()});
-            throw;
-        }
-    });
+void Server::begin_loading(const osc::Heard& heard, const std::string& name) {
+    loading_.begin(
+        heard,
+        [folder = options_.score_folder, name] {
+            return load_score(score_in_folder(folder, name));
+        },
+        in_brief<LoadedScore>);
+}
+
+void Server::take_errands() {
+    saving_.take();
+    if (auto read = loading_.take()) use(std::move(*read));
 }
 
 void Server::play() {
@@ -186,33 +145,6 @@ void Server::play() {
     const Player& player = performance_.player();
     const double factor = player.tempo().factor(performance_.simulation().time());
     tell(osc::StartedMessage{player.origin(), static_cast<float>(factor)});
-}
-
-void Server::save_routes(const osc::SaveRoutes& wish) {
-    if (saving_.valid() && saving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-        endpoint_.answer(wish.asker, "/error", {"/route/save", "routes are being written"});
-        return;
-    }
-    saving_ = std::async(std::launch::async, [this, wish] {
-        try {
-            write_routes(options_.score_folder, wish.file, endpoint_.routes());
-            endpoint_.answer(wish.asker, "/reply", {"/route/save", wish.file + ".routes"});
-        } catch (const std::exception& error) {
-            endpoint_.answer(wish.asker, "/error", {"/route/save", error.what()});
-        }
-    });
-}
-
-void Server::take_loaded_score() {
-    if (!loading_.valid() ||
-        loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-        return;
-    }
-    try {
-        use(loading_.get());
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", error.what());  // what was loaded before plays on
-    }
 }
 
 void Server::tell_contact(const LoggedContact& contact) {
@@ -266,11 +198,10 @@ void Server::tell_status() {
     osc::StatusMessage status;
     status.wall = time;
     status.time = time;
-    status.load = static_cast<float>(busy_ / kStatusInterval);
-    status.late_steps = late_steps_;
+    status.load = static_cast<float>(pace_.take_busy() / kStatusInterval);
+    status.late_steps = pace_.late_steps();
     status.strokes = performance_.player().asked();
     status.contacts = static_cast<int>(performance_.log().contacts().size());
-    busy_ = 0.0;
     tell(status);
 }
 

@@ -1,21 +1,19 @@
-// The running server: the simulation locked to the wall clock, commands in, events out.
-//
-// Step k of the simulation is computed when the clock reaches start + k h, never earlier, so that
-// simulated time cannot drift; steps that come late are counted and caught up. If the machine was
-// held up for long the start moves on instead: a pause, not a burst of strokes.
+// The running server: the simulation locked to the wall clock (StepClock), commands in, events out.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "app/errand.hpp"
 #include "app/performance.hpp"
+#include "app/score_loader.hpp"
 #include "app/steering.hpp"
+#include "app/step_clock.hpp"
 #include "app/tape.hpp"
 #include "app/wall_clock.hpp"
 #include "files/recording_file.hpp"
@@ -50,23 +48,20 @@ class Server {
     void run(const std::atomic<bool>& stop);
 
     [[nodiscard]] int port() const { return endpoint_.port(); }
-    [[nodiscard]] int late_steps() const { return late_steps_; }
+    [[nodiscard]] int late_steps() const { return pace_.late_steps(); }
     [[nodiscard]] const Performance& performance() const { return performance_; }
 
   private:
     void hear(const osc::Heard& heard);
-    void obey(const osc::Command& command);
-    void steer(const osc::Command& command);
+    void obey_or_refuse(const osc::Heard& heard);
+    void obey(const osc::Heard& heard);
     void play_again();
-    void record(const osc::Record& wish);
-    void begin_loading(const osc::LoadScore& wish);
-    void save_routes(const osc::SaveRoutes& wish);
-    void take_loaded_score();
+    void record(const osc::Heard& heard, const std::string& file);
+    void begin_loading(const osc::Heard& heard, const std::string& name);
+    void take_errands();
     void use(LoadedScore loaded);
     template <class Message>
     void tell(Message message);
-    void catch_up(double now);
-    [[nodiscard]] double next_step_end() const;  ///< simulated [s]
     void step();
     void tell_contact(const LoggedContact& contact);
     void tell_pose();
@@ -77,22 +72,18 @@ class Server {
     void tell_status();
     void tell_finished();
     void write_log() const;
-    [[nodiscard]] double wall(double simulated) const { return start_ + simulated; }
     [[nodiscard]] std::int64_t steps() const { return performance_.simulation().steps(); }
 
     ServeOptions options_;
-    WallClock& clock_;
     Performance performance_;
+    StepClock pace_;
     Steering steering_;
     osc::Endpoint endpoint_;
     Tape tape_;
     std::size_t replayed_ = 0;  ///< records of the replay
-    std::future<LoadedScore> loading_;
-    std::future<void> saving_;
-    double start_ = 0.0;                          ///< wall clock at simulated time 0 [s]
+    Errand<LoadedScore> loading_;
+    Errand<std::string> saving_;
     double next_pose_ = 0.0, next_status_ = 0.0;  ///< simulated [s]
-    double busy_ = 0.0;                           ///< computing time since the last status [s]
-    int late_steps_ = 0;
     bool ended_ = false;
 };
 

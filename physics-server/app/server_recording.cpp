@@ -1,5 +1,5 @@
 // The server's recordings: what it is told, one that is made, one that is played again.
-#include <exception>
+#include <stdexcept>
 
 #include "app/named_file.hpp"
 #include "app/server.hpp"
@@ -17,7 +17,15 @@ void Server::hear(const osc::Heard& heard) {
     // A replay goes its own way.
     if (options_.replay && shapes_performance(heard.command)) return;
     tape_.heard(steps(), heard);
-    obey(heard.command);
+    obey_or_refuse(heard);
+}
+
+void Server::obey_or_refuse(const osc::Heard& heard) {
+    try {
+        obey(heard);
+    } catch (const std::exception& error) {
+        endpoint_.answer(heard.sender, "/error", {heard.address, error.what()});
+    }
 }
 
 void Server::play_again() {
@@ -30,36 +38,30 @@ void Server::play_again() {
             use(load_kept_score({score.name, {score.bytes.begin(), score.bytes.end()}}));
         } else if (record.kind == files::RecordKind::heard) {
             osc::decode(record.bytes, [this](const auto& path, const auto arguments) {
-                const auto said = osc::understand(path, arguments, {});
+                const auto said = osc::understand(path, arguments);
                 const auto* command = std::get_if<osc::Command>(&said);
-                if (command != nullptr && shapes_performance(*command)) obey(*command);
+                if (command == nullptr || !shapes_performance(*command)) return;
+                obey_or_refuse({*command, path, {arguments.begin(), arguments.end()}, {}});
             });
         }
     }
     ended_ = steps() >= take.end;
 }
 
-void Server::record(const osc::Record& wish) {
-    std::string fault;
-    if (wish.file.empty()) {
-        fault = tape_.end(steps());
+void Server::record(const osc::Heard& heard, const std::string& file) {
+    std::string said = "ended";
+    if (file.empty()) {
+        const std::string fault = tape_.end(steps());
+        if (!fault.empty()) throw std::runtime_error(fault);
     } else {
-        try {
-            const auto path = named_file(options_.score_folder, wish.file, ".recording");
-            require_room(path);
-            tape_.require_idle();
-            files::create_new(path);
-            tape_.begin(path);
-        } catch (const std::exception& error) {
-            fault = error.what();
-        }
+        const auto path = named_file(options_.score_folder, file, ".recording");
+        require_room(path);
+        tape_.require_idle();
+        files::create_new(path);
+        tape_.begin(path);
+        said = file + ".recording";
     }
-    if (!fault.empty()) {
-        endpoint_.answer(wish.asker, "/error", {"/record", fault});
-    } else {
-        endpoint_.answer(wish.asker, "/reply",
-                         {"/record", wish.file.empty() ? "ended" : wish.file + ".recording"});
-    }
+    endpoint_.answer(heard.sender, "/reply", {heard.address, said});
 }
 
 }  // namespace percussionist::app

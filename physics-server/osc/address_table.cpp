@@ -56,74 +56,63 @@ std::vector<Address> make_table() {
         {"/play",
          "play the score from its beginning",
          {},
-         [](Arguments, const Peer&) -> Command { return Play{}; }},
+         [](Arguments) -> Command { return Play{}; }},
         {"/stop",
          "stop playing and let the sticks rest",
          {},
-         [](Arguments, const Peer&) -> Command { return Stop{}; }},
+         [](Arguments) -> Command { return Stop{}; }},
         {"/score",
          "load a Standard MIDI File from the server's score folder, or built-in",
          {{"FILE", "", true, true}},
-         [](Arguments a, const Peer& from) -> Command {
-             return LoadScore{text(a, 0, ""), from};
-         }},
+         [](Arguments a) -> Command { return LoadScore{text(a, 0, "")}; }},
         {"/subscribe",
          "send events to PORT of the asker or of HOST; FEED is sound (contacts, clock, status), "
          "pose or all",
          {kPort, kFeed, {"HOST", "", true, false}},
-         [](Arguments a, const Peer& from) -> Command {
-             return Subscribe{
-                 {text(a, 2, from.host), port_text(number(a, 0))}, from, feed(text(a, 1, "sound"))};
+         [](Arguments a) -> Command {
+             return Subscribe{{text(a, 2, ""), port_text(number(a, 0))}, feed(text(a, 1, "sound"))};
          }},
         {"/unsubscribe",
          "send no more to PORT of the asker or of HOST",
          {kPort, {"HOST", "", true, false}},
-         [](Arguments a, const Peer& from) -> Command {
-             return Unsubscribe{{text(a, 1, from.host), port_text(number(a, 0))}, from};
+         [](Arguments a) -> Command {
+             return Unsubscribe{{text(a, 1, ""), port_text(number(a, 0))}};
          }},
         {"/route/add",
          "send an event on: EVENT to HOST:PORT ADDRESS FIELD... when FIELD LEAST MOST; answered by "
          "its number",
          {kRoute},
-         [](Arguments a, const Peer& from) -> Command {
-             return AddRoute{line(a, 0), from};
-         }},
+         [](Arguments a) -> Command { return AddRoute{line(a, 0)}; }},
         {"/route/change",
          "another route in place of one",
          {kNumber, kRoute},
-         [](Arguments a, const Peer& from) -> Command {
-             return ChangeRoute{static_cast<int>(number(a, 0)), line(a, 1), from};
+         [](Arguments a) -> Command {
+             return ChangeRoute{static_cast<int>(number(a, 0)), line(a, 1)};
          }},
         {"/route/remove",
          "no longer this route",
          {kNumber},
-         [](Arguments a, const Peer& from) -> Command {
-             return RemoveRoute{static_cast<int>(number(a, 0)), from};
-         }},
+         [](Arguments a) -> Command { return RemoveRoute{static_cast<int>(number(a, 0))}; }},
         {"/route/list",
          "answered by the routes, a /route each: number and line",
          {},
-         [](Arguments, const Peer& from) -> Command { return ListRoutes{from}; }},
+         [](Arguments) -> Command { return ListRoutes{}; }},
         {"/route/save",
          "write the routes to FILE.routes in the server's folder",
          {{"FILE", "", true, true}},
-         [](Arguments a, const Peer& from) -> Command {
-             return SaveRoutes{text(a, 0, ""), from};
-         }},
+         [](Arguments a) -> Command { return SaveRoutes{text(a, 0, "")}; }},
         {"/record",
          "record what is played to FILE.recording in the server's folder; without FILE no longer",
          {{"FILE", "", true, false}},
-         [](Arguments a, const Peer& from) -> Command {
-             return Record{text(a, 0, ""), from};
-         }},
+         [](Arguments a) -> Command { return Record{text(a, 0, "")}; }},
         {"/ping",
          "answered by /pong to the asker",
          {},
-         [](Arguments, const Peer& from) -> Command { return Ping{from}; }},
+         [](Arguments) -> Command { return Ping{}; }},
         {"/describe",
          "answered by this table, a /description each",
          {},
-         [](Arguments, const Peer& from) -> Command { return Describe{from}; }},
+         [](Arguments) -> Command { return Describe{}; }},
     };
 }
 
@@ -234,13 +223,13 @@ std::string usage(const Address& address) {
 }
 
 std::variant<Command, Refusal> understand(const std::string& path,
-                                          std::span<const Argument> arguments, const Peer& sender) {
+                                          std::span<const Argument> arguments) {
     for (const Address& address : address_table()) {
         if (path != address.path) continue;
         const std::vector<Argument> given = settled(address, arguments);
         const std::string reason = fault(address, given);
         if (!reason.empty()) return Refusal{path, reason};
-        return address.make(given, sender);
+        return address.make(given);
     }
     constexpr std::size_t kLongest = 80;
     return Refusal{path.substr(0, kLongest), "no such address; /describe lists them"};

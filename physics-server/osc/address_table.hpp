@@ -29,7 +29,7 @@ struct Address {
     const char* path;
     const char* description;
     std::vector<Parameter> parameters;
-    Command (*make)(std::span<const Argument> arguments, const Peer& sender);
+    Command (*make)(std::span<const Argument> arguments);
 };
 
 const std::vector<Address>& address_table();
@@ -46,7 +46,7 @@ struct Refusal {
 
 /// What a message says. Never throws for any input.
 std::variant<Command, Refusal> understand(const std::string& path,
-                                          std::span<const Argument> arguments, const Peer& sender);
+                                          std::span<const Argument> arguments);
 
 /// "/tempo FACTOR (0.1 to 10): ..." for each address.
 std::string usage(const Address& address);

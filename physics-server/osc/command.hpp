@@ -36,7 +36,6 @@ struct SetGrip {
 struct SetNuance {
     std::string name;
     std::optional<int> hand;
-    Peer asker;
 };
 /// Of raised sticks, a factor.
 struct SetHeight {
@@ -76,49 +75,37 @@ struct SetGain {
 
 struct LoadScore {
     std::string path;
-    Peer asker;
 };
 /// What a subscriber wants: sound hears contacts, clock and status; pose sees the body move.
 enum class Feed { sound = 1, pose = 2, all = 3 };
 struct Subscribe {
-    Peer peer, asker;
+    Peer peer;  ///< no host: the asker's
     Feed feed = Feed::sound;
 };
 struct Unsubscribe {
-    Peer peer, asker;
+    Peer peer;  ///< no host: the asker's
 };
-struct Ping {
-    Peer asker;
-};
-struct Describe {
-    Peer asker;
-};
+struct Ping {};
+struct Describe {};
 
 /// A route as its line of text (osc/route.hpp).
 struct AddRoute {
     std::string line;
-    Peer asker;
 };
 struct ChangeRoute {
     int number = 0;
     std::string line;
-    Peer asker;
 };
 struct RemoveRoute {
     int number = 0;
-    Peer asker;
 };
-struct ListRoutes {
-    Peer asker;
-};
+struct ListRoutes {};
 struct SaveRoutes {
     std::string file;
-    Peer asker;
 };
 /// Records what is played to FILE; an empty one: no longer.
 struct Record {
     std::string file;
-    Peer asker;
 };
 
 // At a whole kit.

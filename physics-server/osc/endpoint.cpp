@@ -107,10 +107,10 @@ void Endpoint::hear(std::span<const char> packet, const sockaddr_in& from) {
                              std::optional<double> tag) {
         // Two servers that are told of each other must not complain to each other for ever.
         if (path == "/error") return;
-        const auto said = understand(path, arguments, sender);
+        const auto said = understand(path, arguments);
         if (const auto* refusal = std::get_if<Refusal>(&said)) {
             refuse(*refusal, sender);
-        } else if (const auto& command = std::get<Command>(said); !handled(command)) {
+        } else if (const auto& command = std::get<Command>(said); !handled(command, sender)) {
             const std::lock_guard lock(commands_mutex_);
             if (commands_.size() >= kMostCommands) return;
             commands_.push_back(
@@ -122,13 +122,13 @@ void Endpoint::hear(std::span<const char> packet, const sockaddr_in& from) {
     }
 }
 
-bool Endpoint::handled(const Command& command) {
+bool Endpoint::handled(const Command& command, const Peer& asker) {
     return std::visit(
-        [this](const auto& wish) {
+        [&](const auto& wish) {
             constexpr bool own = requires {
-                handle(wish);
+                handle(wish, asker);
             };
-            if constexpr (own) handle(wish);
+            if constexpr (own) handle(wish, asker);
             return own;
         },
         command);
@@ -148,7 +148,7 @@ in_addr_t Endpoint::known_host(const std::string& host) const {
 }
 
 sockaddr_in Endpoint::allowed_target(const Peer& to, const Peer& asker) const {
-    const in_addr_t host = known_host(to.host);
+    const in_addr_t host = known_host(to.host.empty() ? asker.host : to.host);
     constexpr std::uint32_t kLoopback = 127;
     const bool allowed = ntohl(host) >> 24U == kLoopback || host == known_host(asker.host) ||
                          std::find(allowed_.begin(), allowed_.end(), host) != allowed_.end();
@@ -160,66 +160,66 @@ sockaddr_in Endpoint::allowed_target(const Peer& to, const Peer& asker) const {
     return UdpSocket::address(host, to.port);
 }
 
-void Endpoint::handle(const Subscribe& wish) {
+void Endpoint::handle(const Subscribe& wish, const Peer& asker) {
     try {
-        audience_.subscribe(allowed_target(wish.peer, wish.asker), wish.feed, wall_());
+        audience_.subscribe(allowed_target(wish.peer, asker), wish.feed, wall_());
     } catch (const std::runtime_error& error) {
-        refuse({"/subscribe", error.what()}, wish.asker);
+        refuse({"/subscribe", error.what()}, asker);
     }
 }
 
-void Endpoint::handle(const Unsubscribe& wish) {
+void Endpoint::handle(const Unsubscribe& wish, const Peer& asker) {
     try {
-        audience_.drop(allowed_target(wish.peer, wish.asker));
+        audience_.drop(allowed_target(wish.peer, asker));
     } catch (const std::runtime_error& error) {
-        refuse({"/unsubscribe", error.what()}, wish.asker);
+        refuse({"/unsubscribe", error.what()}, asker);
     }
 }
 
-void Endpoint::handle(const AddRoute& wish) {
+void Endpoint::handle(const AddRoute& wish, const Peer& asker) {
     try {
         const Route route = parse_route(wish.line);
-        const int number = audience_.add_route(route, allowed_target(route.to, wish.asker));
-        answer(wish.asker, "/route", {std::to_string(number), to_string(route)});
+        const int number = audience_.add_route(route, allowed_target(route.to, asker));
+        answer(asker, "/route", {std::to_string(number), to_string(route)});
     } catch (const std::exception& error) {
-        refuse({"/route/add", error.what()}, wish.asker);
+        refuse({"/route/add", error.what()}, asker);
     }
 }
 
-void Endpoint::handle(const ChangeRoute& wish) {
+void Endpoint::handle(const ChangeRoute& wish, const Peer& asker) {
     try {
         const Route route = parse_route(wish.line);
-        if (!audience_.change_route(wish.number, route, allowed_target(route.to, wish.asker))) {
+        if (!audience_.change_route(wish.number, route, allowed_target(route.to, asker))) {
             throw std::runtime_error("no route " + std::to_string(wish.number));
         }
-        answer(wish.asker, "/route", {std::to_string(wish.number), to_string(route)});
+        answer(asker, "/route", {std::to_string(wish.number), to_string(route)});
     } catch (const std::exception& error) {
-        refuse({"/route/change", error.what()}, wish.asker);
+        refuse({"/route/change", error.what()}, asker);
     }
 }
 
-void Endpoint::handle(const RemoveRoute& wish) {
+void Endpoint::handle(const RemoveRoute& wish, const Peer& asker) {
     const std::string number = std::to_string(wish.number);
     if (audience_.remove_route(wish.number)) {
-        answer(wish.asker, "/reply", {"/route/remove", number});
+        answer(asker, "/reply", {"/route/remove", number});
     } else {
-        refuse({"/route/remove", "no route " + number}, wish.asker);
+        refuse({"/route/remove", "no route " + number}, asker);
     }
 }
 
-void Endpoint::handle(const ListRoutes& wish) {
+void Endpoint::handle(const ListRoutes&, const Peer& asker) {
     for (const auto& [number, line] : audience_.routes()) {
-        answer(wish.asker, "/route", {std::to_string(number), line});
+        answer(asker, "/route", {std::to_string(number), line});
     }
 }
 
-void Endpoint::handle(const Ping& wish) {
-    answer(wish.asker, "/pong", {});
+void Endpoint::handle(const Ping&, const Peer& asker) {
+    answer(asker, "/pong", {});
 }
 
-void Endpoint::handle(const Describe& wish) {
+void Endpoint::handle(const Describe&, const Peer& asker) {
     for (const Address& address : address_table()) {
-        answer(wish.asker, "/description", {address.path, usage(address), address.description});
+        answer(asker, "/description", {address.path, usage(address), address.description});
     }
 }
 

@@ -55,20 +55,20 @@ std::vector<Address> with_the_music() {
          "at a kit: a song that plays elsewhere is at SECONDS, and goes on; AT is when, as /tick "
          "tells the time; without it when the message is tagged, or comes",
          {kPlace, {"AT", "s", false, false, 0.0, 1e9}},
-         [](Arguments a, const Peer&) -> Command {
+         [](Arguments a) -> Command {
              return SongPosition{number(a, 0), given(a, 1)};
          }},
         {"/song/pause",
          "at a kit: the song stands, where it is or at SECONDS, until its next position",
          {{"SECONDS", "s", false, false, -10.0, kLongestSong}},
-         [](Arguments a, const Peer&) -> Command { return SongPause{given(a, 0)}; }},
+         [](Arguments a) -> Command { return SongPause{given(a, 0)}; }},
         {"/note",
          "at a kit: a MIDI key is struck as soon as a limb can be there; it sounds now (after the "
          "lookahead), at the contact, or none: it has sounded already; answered by /noted",
          {{"KEY", "", false, true, 0, 127},
           {"VELOCITY", "", false, true, 0, 127},
           {"SOUND", "", true, false, 0, 0, false, "now contact none"}},
-         [](Arguments a, const Peer&) -> Command {
+         [](Arguments a) -> Command {
              return Note{static_cast<int>(std::lround(number(a, 0))),
                          number(a, 1) / kMidiVelocities, sound(word(a, 2))};
          }},
@@ -82,24 +82,24 @@ std::vector<Address> poses() {
          {{"LIMB", "", true, true, 0, 0, false, "left-hand right-hand left-foot right-foot off"},
           {"EVENT", "", true, false},
           {"POSE", "", true, false, 0, 0, false, "up down"}},
-         [](Arguments a, const Peer&) -> Command {
+         [](Arguments a) -> Command {
              const bool off = word(a, 0) == "off";
              return ShowPose{off ? "" : word(a, 0), word(a, 1), word(a, 2) == "up"};
          }},
         {"/pose/joint",
          "at a kit: turns a joint of the pose that is shown: Euler angles",
          {{"JOINT", "", true, true}, angle("Z"), angle("Y"), angle("X")},
-         [](Arguments a, const Peer&) -> Command {
+         [](Arguments a) -> Command {
              return TurnJoint{word(a, 0), {number(a, 1), number(a, 2), number(a, 3)}};
          }},
         {"/script",
          "at a kit: how a joint goes between key frames: JOINT PHASE SHARE..., as in a kit file",
          {{"SCRIPT", "", true, true, 0, 0, true}},
-         [](Arguments a, const Peer&) -> Command { return SetScript{line(a)}; }},
+         [](Arguments a) -> Command { return SetScript{line(a)}; }},
         {"/kit/save",
          "write the kit with its poses and scripts to FILE.kit in the server's folder",
          {{"FILE", "", true, true}},
-         [](Arguments a, const Peer&) -> Command { return SaveKit{word(a, 0)}; }},
+         [](Arguments a) -> Command { return SaveKit{word(a, 0)}; }},
     };
 }
 

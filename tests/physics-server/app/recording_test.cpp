@@ -108,7 +108,8 @@ TEST_CASE("a recording begun and ended while all plays is played again from the 
         REQUIRE(client.hears("/contact", 4));
         client.send("/record", {"late"});
         REQUIRE(client.hears("/reply"));
-        REQUIRE(client.hears("/contact", 8));
+        // More than can have been under way when it was begun.
+        REQUIRE(client.hears_contacts(client.contacts().size() + 6));
         client.send("/record", {"another"});
         REQUIRE(client.hears("/error"));
         client.send("/record", {"../outside"});

@@ -20,7 +20,7 @@ class Steered {
         performance_.play();
     }
     void send(const std::string& path, const std::vector<osc::Argument>& arguments) {
-        const auto said = osc::understand(path, arguments, {"127.0.0.1", "9000"});
+        const auto said = osc::understand(path, arguments);
         CAPTURE(path);
         REQUIRE(std::holds_alternative<osc::Command>(said));
         CHECK(steering_.obey(std::get<osc::Command>(said)));
@@ -209,6 +209,6 @@ TEST_CASE("steering: what it tells is what holds") {
           std::vector<osc::Argument>{std::string("accent"), std::string("score")});
     CHECK(value("gain") == std::vector<osc::Argument>{40.0, 0.8});
     CHECK(value("control") == std::vector<osc::Argument>{std::string("joints")});
-    CHECK_THROWS_WITH_AS(player.steering().obey(osc::SetNuance{"pizzicato", {}, {}}),
+    CHECK_THROWS_WITH_AS(player.steering().obey(osc::SetNuance{"pizzicato", {}}),
                          doctest::Contains("legato"), std::invalid_argument);
 }

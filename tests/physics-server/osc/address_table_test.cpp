@@ -12,10 +12,8 @@ using namespace percussionist::osc;
 
 namespace {
 
-const Peer kSender{"127.0.0.1", "9000"};
-
 std::string refusal(const std::string& path, const std::vector<Argument>& arguments) {
-    const auto said = understand(path, arguments, kSender);
+    const auto said = understand(path, arguments);
     const Refusal* r = std::get_if<Refusal>(&said);
     return r == nullptr ? "" : r->reason;
 }
@@ -57,7 +55,7 @@ TEST_CASE("address table: a refusal is short, however long what it refuses") {
     const std::string long_text(60000, 'x');
     CHECK(refusal("/tempo", {long_text}).size() < 300);
     CHECK(refusal("/subscribe", {1.0, long_text}).size() < 300);
-    const auto said = understand('/' + long_text, {}, kSender);
+    const auto said = understand('/' + long_text, {});
     CHECK(std::get<Refusal>(said).address.size() < 300);
 }
 
@@ -77,10 +75,10 @@ TEST_CASE("address table: a bound is within the range, also when it came as a fl
 }
 
 TEST_CASE("address table: an asker that names no host is sent to where it came from") {
-    const auto said = understand("/subscribe", std::vector<Argument>{7771.0}, kSender);
+    const auto said = understand("/subscribe", std::vector<Argument>{7771.0});
     const auto* wish = std::get_if<Subscribe>(&std::get<Command>(said));
     REQUIRE(wish != nullptr);
-    CHECK(wish->peer == Peer{"127.0.0.1", "7771"});
+    CHECK(wish->peer == Peer{"", "7771"});
     CHECK(wish->feed == Feed::sound);
 }
 
