@@ -53,13 +53,22 @@ osc::ContactMessage contact_message(const body::KitContact& contact, const score
     m.impulse = static_cast<float>(event.mass * speed * (1.0 + event.elasticity));
     m.duration = static_cast<float>(2.94 * depth / speed);
     m.mass = static_cast<float>(event.mass);
+    if (const auto& touch = contact.touch) {
+        m.wall = m.instant = touch->instant;
+        m.place = floats<2>(touch->place);
+        m.velocity = floats<3>(touch->velocity);
+        m.force = floats<3>(touch->peak_force);
+        m.impulse = static_cast<float>(touch->impulse);
+        m.duration = static_cast<float>(touch->duration);
+        m.mass = static_cast<float>(touch->effective_mass);
+    }
     m.event = static_cast<int>(contact.event);
     m.event_name = event.name;
     m.object_name = kit.objects[event.object].name;
     return m;
 }
 
-LoggedContact logged_contact(const osc::ContactMessage& m) {
+LoggedContact logged_contact(const osc::ContactMessage& m, const body::KitContact& contact) {
     LoggedContact logged;
     sim::ContactEvent& c = logged.event;
     c.hand = m.hand % 2 == 0 ? body::Hand::left : body::Hand::right;
@@ -73,7 +82,8 @@ LoggedContact logged_contact(const osc::ContactMessage& m) {
     c.effective_mass = m.mass;
     logged.sequence = m.sequence;
     logged.stroke = m.stroke;
-    logged.asked_speed = -m.velocity[2];
+    logged.asked_time = contact.time;
+    logged.asked_speed = score::impact_speed(contact.velocity);
     return logged;
 }
 

@@ -28,9 +28,9 @@ class Forecaster {
             own_[score::index(strokes[i].limb)].push_back(i);
         }
     }
-    const sim::LimbForecasts& at(double time) {
+    const body::LimbForecasts& at(double time) {
         for (std::size_t l = 0; l < own_.size(); ++l) {
-            sim::LimbForecast& f = forecasts_[l];
+            body::LimbForecast& f = forecasts_[l];
             std::size_t& next = next_[l];
             const auto stroke = [&](std::size_t i) -> const KitStroke& {
                 return strokes_[own_[l][i]];
@@ -47,7 +47,7 @@ class Forecaster {
     const std::vector<KitStroke>& strokes_;
     std::array<std::vector<std::size_t>, 4> own_;
     std::array<std::size_t, 4> next_{};
-    sim::LimbForecasts forecasts_;
+    body::LimbForecasts forecasts_;
 };
 
 /// Each stroke takes the contact of its limb on its object that is nearest in time.
@@ -63,7 +63,7 @@ void match(const score::Kit& kit, const std::vector<KitStroke>& strokes, KitPerf
         for (std::size_t c = first; c < p.contacts.size() && off(c) < 1.0; ++c) {
             const bool own = p.contacts[c].limb == strokes[s].limb && !taken[c] &&
                              p.contacts[c].object == kit.events[strokes[s].event].object;
-            if (!own || std::abs(off(c)) > kOwnContact) continue;
+            if (!own || std::abs(off(c)) > sim::kOwnContact) continue;
             auto& best = p.of_stroke[s];
             if (!best || std::abs(off(c)) < std::abs(off(*best))) best = c;
         }
@@ -81,16 +81,6 @@ void match(const score::Kit& kit, const std::vector<KitStroke>& strokes, KitPerf
                          !score::is_hand(contact.limb);
         (bounce ? p.bounces : hat ? p.closings : p.strays).push_back(c);
     }
-}
-
-/// Of the first event with which this limb strikes the object.
-std::size_t event_of(const score::Kit& kit, const KitContact& contact) {
-    for (std::size_t e = 0; e < kit.events.size(); ++e) {
-        const score::KitEvent& event = kit.events[e];
-        const bool own = event.foot ? *event.foot == contact.limb : score::is_hand(contact.limb);
-        if (own && event.object == contact.object) return e;
-    }
-    return 0;
 }
 
 double median(std::vector<double> values) {
@@ -134,20 +124,19 @@ KitPerformance perform_on_kit(const score::Kit& kit, const std::vector<KitStroke
 std::vector<KitStroke> heard(const score::Kit& kit, const std::vector<KitStroke>& strokes,
                              const KitPerformance& performance) {
     std::vector<std::size_t> events;
-    for (const KitContact& c : performance.contacts) events.push_back(event_of(kit, c));
+    for (const KitContact& c : performance.contacts) events.push_back(sim::event_of(kit, c));
     for (std::size_t s = 0; s < strokes.size(); ++s) {
         if (performance.of_stroke[s]) events[*performance.of_stroke[s]] = strokes[s].event;
     }
     std::vector<KitStroke> all;
     for (std::size_t c = 0; c < events.size(); ++c) {
         const KitContact& contact = performance.contacts[c];
-        const double momentum = -contact.contact.velocity.z() * contact.contact.effective_mass;
-        if (momentum <= 0.0) continue;
-        const double speed = std::min(kFastest, momentum / kit.events[events[c]].mass);
+        const auto velocity = sim::note_velocity(kit.events[events[c]], contact);
+        if (!velocity) continue;
         all.push_back({.time = contact.contact.instant,
                        .limb = contact.limb,
                        .event = events[c],
-                       .velocity = score::velocity_of_impact(speed)});
+                       .velocity = *velocity});
     }
     std::stable_sort(all.begin(), all.end(),
                      [](const KitStroke& a, const KitStroke& b) { return a.time < b.time; });

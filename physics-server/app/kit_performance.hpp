@@ -24,9 +24,6 @@ struct KitPerformance {
     bool sane = true;
 };
 
-/// Late by so much [s] (early below 0) is a stroke; farther off no contact is its own.
-inline constexpr double kOwnContact = 0.040;
-
 /// From before the first stroke to `end` [s]. `see` is told after every step from 0 on.
 KitPerformance perform_on_kit(const score::Kit& kit, const std::vector<score::KitStroke>& strokes,
                               const body::KitAnimation& animation,

@@ -10,6 +10,7 @@
 
 #include "app/body_messages.hpp"
 #include "app/kit_messages.hpp"
+#include "app/kit_sound.hpp"
 #include "app/named_file.hpp"
 #include "app/route_file.hpp"
 #include "app/score_loader.hpp"
@@ -20,7 +21,7 @@ namespace percussionist::app {
 
 namespace {
 
-constexpr double kStep = 0.002;  // [s]
+constexpr double kStep = 0.002;  // of key frames [s]
 constexpr double kTickInterval = 0.1;
 /// From /play to the score's time 0: he takes up his sticks [s].
 constexpr double kLeadIn = 1.0;
@@ -40,14 +41,29 @@ KitServer::KitServer(const KitServeOptions& options, WallClock& clock)
       endpoint_(options.endpoint, [&clock] { return clock.now(); }),
       loading_(endpoint_, "another score is being read"),
       saving_(endpoint_, "a file is being written"),
-      pace_(clock, kStep) {
+      step_(options.simulated ? sim::SimulatedDrummer::kStep : kStep),
+      pace_(clock, step_) {
+    if (options.simulated) {
+        body_ = std::make_unique<sim::SimulatedDrummer>(
+            drummer_, kit_bodies(drummer_.kit(), options.kit.parent_path()));
+    }
     song_.hold(kBeforeAll);
     use(load_kit_score(options.score, drummer_.kit()));
 }
 
+body::LiveKit& KitServer::player() {
+    if (body_) return *body_;
+    return drummer_;
+}
+
+const body::LiveKit& KitServer::player() const {
+    if (body_) return *body_;
+    return drummer_;
+}
+
 void KitServer::use(KitScore loaded) {
     print_account(in_brief(loaded), loaded.remarks);
-    drummer_.load(loaded.strokes);
+    player().load(loaded.strokes);
     score_ = std::move(loaded);
     stop_playing();
 }
@@ -76,9 +92,9 @@ void KitServer::run(const std::atomic<bool>& stop) {
 }
 
 void KitServer::step() {
-    time_ = static_cast<double>(++steps_) * kStep;
-    drummer_.step(time_, song_.advance(time_));
-    for (const body::KitContact& contact : drummer_.contacts()) tell_contact(contact);
+    time_ = static_cast<double>(++steps_) * step_;
+    player().step(time_, song_.advance(time_));
+    for (const body::KitContact& contact : player().contacts()) tell_contact(contact);
     tell_due();
     check_end();
 }
@@ -192,7 +208,7 @@ void KitServer::answer_note(const osc::Note& note, const osc::Heard& heard) {
     const auto struck = static_cast<std::size_t>(event);
     const bool at_once = note.sound == osc::NoteSound::now;
     const body::LiveStroke stroke =
-        drummer_.strike(struck, note.velocity, note.sound != osc::NoteSound::contact);
+        player().strike(struck, note.velocity, note.sound != osc::NoteSound::contact);
     // With nobody to strike it, it sounds all the same.
     if (at_once || (!stroke.limb && note.sound == osc::NoteSound::contact)) {
         const score::KitEvent& e = kit.events[struck];
@@ -256,16 +272,14 @@ void KitServer::tell_contact(const body::KitContact& contact) {
     if (contact.stroke >= 0) ++asked_;
     osc::ContactMessage message = contact_message(contact, drummer_.kit());
     message.sequence = sequence_++;
-    LoggedContact logged = logged_contact(message);
-    logged.asked_time = contact.time;
-    log_.add(logged);
+    log_.add(logged_contact(message, contact));
     tell(std::move(message));
 }
 
 void KitServer::tell_pose() {
     next_pose_ += kPoseInterval;
-    tell(pose_message(time_, drummer_.skeleton(), drummer_.placement()));
-    tell(objects_message(time_, drummer_));
+    tell(pose_message(time_, player().skeleton(), player().placement()));
+    tell(objects_message(time_, player()));
 }
 
 void KitServer::tell_scene() {
@@ -293,7 +307,7 @@ void KitServer::tell_status() {
     status.wall = status.time = time_;
     status.load = static_cast<float>(pace_.take_busy() / kStatusInterval);
     status.late_steps = pace_.late_steps();
-    status.strokes = asked_ + drummer_.passed_over();
+    status.strokes = asked_ + player().passed_over();
     status.contacts = static_cast<int>(log_.contacts().size());
     tell(status);
 }

@@ -1,5 +1,6 @@
 // The running server with a drummer at a whole kit: like Server, locked to the wall clock, but
-// what plays is a LiveKit, and where the song is may be told by who plays it.
+// what plays is a LiveKit, key frames or a body that they lead, and where the song is may be told
+// by who plays it.
 //
 // Each step ends at its time by the clock; contacts, poses and what the kit does are told as of
 // then, to be heard the lookahead later. A song that plays elsewhere is therefore led by that much:
@@ -18,12 +19,14 @@
 #include "app/step_clock.hpp"
 #include "body/live_drummer.hpp"
 #include "osc/endpoint.hpp"
+#include "sim/simulated_drummer.hpp"
 
 namespace percussionist::app {
 
 struct KitServeOptions {
     osc::EndpointOptions endpoint;
     std::filesystem::path kit;           ///< empty: the standard kit
+    bool simulated = false;              ///< his body plays, led by key frames; else these alone
     std::filesystem::path score;         ///< empty: the built-in one
     std::filesystem::path score_folder;  ///< where /score may read, /kit/save and /route/save write
     bool play = false;                   ///< at once, without waiting for /play
@@ -43,7 +46,7 @@ class KitServer {
     [[nodiscard]] int late_steps() const { return pace_.late_steps(); }
     [[nodiscard]] TimingSummary summary() const { return log_.summary(asked_); }
     [[nodiscard]] const PerformanceLog& log() const { return log_; }
-    [[nodiscard]] const body::LiveDrummer& drummer() const { return drummer_; }
+    [[nodiscard]] const body::LiveKit& player() const;
     [[nodiscard]] double position() const { return song_.position(); }
 
   private:
@@ -57,6 +60,7 @@ class KitServer {
     void begin_loading(const osc::Heard& heard, const std::string& name);
     void save_kit(const osc::Heard& heard, const std::string& file);
     void take_errands();
+    [[nodiscard]] body::LiveKit& player();
     void use(KitScore loaded);
     void step();
     void tell_due();
@@ -72,12 +76,14 @@ class KitServer {
     KitServeOptions options_;
     std::string kit_text_;
     body::LiveDrummer drummer_;
+    std::unique_ptr<sim::SimulatedDrummer> body_;  ///< none: key frames alone
     score::SongClock song_;
     osc::Endpoint endpoint_;
     KitScore score_;
     Errand<KitScore> loading_;
     Errand<std::string> saving_;
     PerformanceLog log_;
+    double step_;  ///< [s]
     StepClock pace_;
     std::int64_t steps_ = 0;  ///< done
     double time_ = 0.0;       ///< of the last step [s]

@@ -37,11 +37,12 @@ void serve_drum(const ServeOptions& options) {
     serve<Server>(options, [](const Server& s) { return s.performance().summary(); });
 }
 
-void serve_kit(const ServeOptions& options, const std::filesystem::path& kit) {
+void serve_kit(const ServeOptions& options, const std::filesystem::path& kit, bool simulated) {
     if (!options.recording.empty()) throw std::runtime_error("--record: not with --kit");
     KitServeOptions all;
     all.endpoint = options.endpoint;
     all.kit = kit;
+    all.simulated = simulated;
     all.score = options.score;
     all.score_folder = options.score_folder;
     all.play = options.play;
@@ -93,16 +94,21 @@ void add_serve_command(CLI::App& program) {
     CLI::Option* with_kit =
         command
             .add_option("--kit", *kit,
-                        "a drummer at a whole kit, key-framed: a kit file; none: the standard kit")
+                        "a drummer at a whole kit: a kit file; none: the standard kit")
             ->expected(0, 1);
+    auto simulated = std::make_shared<bool>(false);
+    command
+        .add_flag("--simulated", *simulated,
+                  "with --kit: his body plays, led by the key frames, and its contacts are heard")
+        ->needs(with_kit);
     add_simulation_flags(command, options->simulation);
-    command.callback([options, routes, kit, with_kit, &command] {
+    command.callback([options, routes, kit, with_kit, simulated, &command] {
         options->settings = simulation_settings(command);
         if (!routes->empty()) options->endpoint.routes = read_routes(*routes);
         options->endpoint.before_sending = [] { ask_for_real_time(); };
         if (options->score_folder.empty()) options->score_folder = ".";
         if (with_kit->count() > 0) {
-            serve_kit(*options, *kit);
+            serve_kit(*options, *kit, *simulated);
         } else {
             serve_drum(*options);
         }

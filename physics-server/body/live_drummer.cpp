@@ -85,6 +85,7 @@ void LiveDrummer::step(double now, const score::SongStep& song) {
         if (of(limb).motion.over(now)) settle(limb, now);
     }
     for (const KitContact& c : contacts_) {
+        of(c.limb).struck = {c.time, c.event};
         kit_motion_->strike({c.time, c.limb, c.event, c.velocity, 0, false, {}});
     }
     move(now);
@@ -171,6 +172,24 @@ std::vector<std::size_t>::const_iterator LiveDrummer::next_in_song(Limb limb) co
 /// When, as the song goes now.
 double LiveDrummer::due(std::size_t stroke) const {
     return now_ + (strokes_[stroke].time - song_.to) / song_.rate;
+}
+
+/// The next stroke that its motion leads to; far off if there is none.
+ForecastStroke LiveDrummer::coming(Limb limb) const {
+    const LimbState& state = of(limb);
+    const ForecastStroke none{1e9, state.struck.event};
+    if (!state.coming.empty()) return {state.coming.front().time, state.coming.front().event};
+    if (state.motion.performed() || song_.rate <= 0.0) return none;
+    for (auto next = next_in_song(limb); next != state.strokes.end(); ++next) {
+        if (due(*next) >= state.ready) return {due(*next), strokes_[*next].event};
+    }
+    return none;
+}
+
+LimbForecasts LiveDrummer::forecasts() const {
+    LimbForecasts all;
+    for (const Limb limb : kLimbs) all[index(limb)] = {of(limb).struck, coming(limb)};
+    return all;
 }
 
 /// From where it is [m].

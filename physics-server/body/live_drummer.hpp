@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "body/kit_animation.hpp"
+#include "body/limb_forecast.hpp"
 #include "body/live_kit.hpp"
 #include "body/live_limb.hpp"
 #include "core/score/kit_effort.hpp"
@@ -44,6 +45,9 @@ class LiveDrummer : public LiveKit {
     [[nodiscard]] int passed_over() const override { return passed_over_; }
 
     [[nodiscard]] const score::Kit& kit() const { return kit_; }
+    [[nodiscard]] const Posture& posture() const { return posture_; }
+    /// As of the last step.
+    [[nodiscard]] LimbForecasts forecasts() const;
     [[nodiscard]] const KitAnimation& animation() const { return *animation_; }
 
     /// Holds a pose of a limb, to be looked at; none: plays on. Throws std::invalid_argument if the
@@ -65,6 +69,7 @@ class LiveDrummer : public LiveKit {
         std::vector<KitContact> coming;    ///< of live notes, in order of time
         double ready = 0.0;                ///< strokes of the song before that are passed over [s]
         Past past;                         ///< the last one struck, or to come
+        ForecastStroke struck{};           ///< the last one
     };
     void build();
     void settle(score::Limb limb, double now);
@@ -76,6 +81,7 @@ class LiveDrummer : public LiveKit {
     [[nodiscard]] const LimbState& of(score::Limb limb) const { return limbs_[index(limb)]; }
     [[nodiscard]] std::vector<std::size_t>::const_iterator next_in_song(score::Limb limb) const;
     [[nodiscard]] double due(std::size_t stroke) const;
+    [[nodiscard]] ForecastStroke coming(score::Limb limb) const;
     [[nodiscard]] double way(score::Limb limb, std::size_t event) const;
     [[nodiscard]] double gap(score::Limb limb, const Past& past, std::size_t event) const;
     [[nodiscard]] std::optional<double> earliest(score::Limb limb, std::size_t event) const;

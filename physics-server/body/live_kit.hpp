@@ -1,7 +1,8 @@
 // A drummer at a kit while the music plays: from step to step of time, where a song is, notes that
 // nobody knew of before; out come a posture, what the kit does, and contacts.
 //
-// What moves the body stands behind this: key frames (LiveDrummer), or whatever else plays so.
+// What moves the body stands behind this: key frames (LiveDrummer), or physics led by them
+// (sim::SimulatedDrummer).
 // One thread; time [s] is an argument and grows.
 #pragma once
 
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "body/kit_motion.hpp"
+#include "body/touch.hpp"
 #include "core/score/kit_plan.hpp"
 #include "core/score/song_clock.hpp"
 
@@ -22,6 +24,8 @@ struct KitContact {
     double velocity = 0.0;  ///< of the note, 0..1
     int stroke = -1;        ///< of the plan; -1: of a live note
     bool sounded = false;   ///< a live note that somebody has let sound already
+    /// Where a body made it; else event and velocity say all. `time` is then when it was asked for.
+    std::optional<Touch> touch{};
 };
 
 /// What became of a live note.

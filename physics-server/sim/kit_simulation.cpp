@@ -71,7 +71,7 @@ KitSimulation::KitSimulation(const score::Kit& kit, std::vector<modal::Resonator
     body_.read(actual_);
 }
 
-void KitSimulation::step(const body::Posture& posture, const LimbForecasts& forecasts,
+void KitSimulation::step(const body::Posture& posture, const body::LimbForecasts& forecasts,
                          std::vector<KitContact>& contacts) {
     target_.after = posture;
     forward_kinematics(skeleton_, posture, target_.placed_after);
@@ -95,13 +95,13 @@ Vector3 KitSimulation::next_face(std::size_t event, const Vector3& spot, double 
     return surfaces_.moved(e.object, spot, left) - told * kit_.object_of(event).normal();
 }
 
-void KitSimulation::lead_tips(const LimbForecasts& forecasts) {
+void KitSimulation::lead_tips(const body::LimbForecasts& forecasts) {
     const double now = time();
     body::ArmTargets targets;
     double farthest = 0.0;
     for (const Hand hand : kHands) {
         const Limb limb = limb_of(hand);
-        const ForecastStroke& next = forecasts[score::index(limb)].next;
+        const body::ForecastStroke& next = forecasts[score::index(limb)].next;
         const double left = next.time - now;
         MovingPlace& lead = leads_[index(hand)];
         const bool held = now < forecasts[score::index(limb)].last.time + kStrikesAfter;
@@ -123,10 +123,10 @@ void KitSimulation::lead_tips(const LimbForecasts& forecasts) {
     }
 }
 
-void KitSimulation::mark_contacts(const LimbForecasts& forecasts) {
+void KitSimulation::mark_contacts(const body::LimbForecasts& forecasts) {
     const double now = time();
     for (const Limb limb : kLimbs) {
-        const LimbForecast& f = forecasts[score::index(limb)];
+        const body::LimbForecast& f = forecasts[score::index(limb)];
         const auto about = [&](double before, double after) {
             return f.next.time - now < before || now - f.last.time < after;
         };
@@ -138,7 +138,7 @@ void KitSimulation::mark_contacts(const LimbForecasts& forecasts) {
     }
 }
 
-void KitSimulation::strike_faces(const LimbForecasts& forecasts,
+void KitSimulation::strike_faces(const body::LimbForecasts& forecasts,
                                  std::vector<KitContact>& contacts) {
     std::array<Vector3, 2> impulses{Vector3::Zero(), Vector3::Zero()};
     for (StickTip& tip : tips_) tip.look(body_);
@@ -149,7 +149,7 @@ void KitSimulation::strike_faces(const LimbForecasts& forecasts,
         for (const Hand hand : kHands) {
             const auto i = static_cast<std::size_t>(hand);
             touching[i] = tips_[i].against(face, head, actual_, controller_.resistance(), h_);
-            const LimbForecast& f = forecasts[score::index(limb_of(hand))];
+            const body::LimbForecast& f = forecasts[score::index(limb_of(hand))];
             const std::size_t event = f.next.time - time() < 0.03 ? f.next.event : f.last.event;
             if (!head.touches(i) && kit_.events[event].object == o) {
                 head.set_felt(i, surfaces_.felt(event));

@@ -18,33 +18,14 @@
 
 #include "body/inverse_kinematics.hpp"
 #include "body/kit_motion.hpp"
+#include "body/limb_forecast.hpp"
 #include "sim/controller.hpp"
+#include "sim/kit_contact.hpp"
 #include "sim/kit_pedals.hpp"
 #include "sim/kit_surfaces.hpp"
 #include "sim/moving_place.hpp"
 
 namespace percussionist::sim {
-
-/// A contact of a limb with an object, whether it was asked for or not. Places and velocities are
-/// in the frame of the face; of a foot, those of the beater or cymbal.
-struct KitContact {
-    score::Limb limb = score::Limb::right_hand;
-    std::size_t object = 0;
-    ContactEvent contact;
-};
-
-/// A stroke that is forecast.
-struct ForecastStroke {
-    double time = -1e9;  ///< [s]
-    std::size_t event = 0;
-};
-
-/// What a limb is asked to strike: the last until now, and the one to come.
-struct LimbForecast {
-    ForecastStroke last;
-    ForecastStroke next{1e9, 0};
-};
-using LimbForecasts = std::array<LimbForecast, 4>;  ///< by score::Limb
 
 class KitSimulation {
   public:
@@ -54,7 +35,7 @@ class KitSimulation {
                   const body::Posture& posture, double start = 0.0, double rate = 1000.0);
 
     /// The posture that is asked for at time() + step_length().
-    void step(const body::Posture& posture, const LimbForecasts& forecasts,
+    void step(const body::Posture& posture, const body::LimbForecasts& forecasts,
               std::vector<KitContact>& contacts);
 
     [[nodiscard]] double time() const { return start_ + static_cast<double>(steps_) * h_; }
@@ -76,9 +57,9 @@ class KitSimulation {
 
   private:
     [[nodiscard]] Vector3 next_face(std::size_t event, const Vector3& spot, double left) const;
-    void lead_tips(const LimbForecasts& forecasts);
-    void mark_contacts(const LimbForecasts& forecasts);
-    void strike_faces(const LimbForecasts& forecasts, std::vector<KitContact>& contacts);
+    void lead_tips(const body::LimbForecasts& forecasts);
+    void mark_contacts(const body::LimbForecasts& forecasts);
+    void strike_faces(const body::LimbForecasts& forecasts, std::vector<KitContact>& contacts);
     void press_pedals(std::vector<KitContact>& contacts);
     void tell(score::Limb limb, std::size_t object, const ContactEvent& event,
               std::vector<KitContact>& contacts);

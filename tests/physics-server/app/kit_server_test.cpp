@@ -28,7 +28,10 @@ TEST_CASE("kit server: tells the kit, what moves of it, and every stroke once") 
     RunningKit kit;
     OscListener all(kit.port());
     all.send(subscription(all, "all"));
+    OscListener sounds(kit.port());  // a hurried server floods who wants poses
+    sounds.send(subscription(sounds, "sound"));
     REQUIRE(all.hears("/status"));
+    REQUIRE(sounds.hears("/status"));
     all.send("/play");
     REQUIRE(all.hears("/finished"));
     CHECK(all.hears("/kit/object", 11));
@@ -37,10 +40,28 @@ TEST_CASE("kit server: tells the kit, what moves of it, and every stroke once") 
     CHECK(all.count("/pose") > 1000);
     CHECK(all.count("/object") > 1000);
     CHECK(all.hears("/tick", 100));
+    CHECK(sounds.hears_contacts(150));
     kit.end();
-    CHECK(all.contacts().size() == 150);
+    CHECK(sounds.contacts().size() == 150);
     CHECK(kit.server().summary().contacts == 150);
     CHECK(kit.server().summary().worst_error < 1e-3);
+}
+
+TEST_CASE("kit server: his body plays: what is told of a contact is what it felt, soon enough") {
+    app::KitServeOptions options;
+    options.simulated = true;
+    RunningKit kit(options);
+    OscListener sounds(kit.port());
+    sounds.send(subscription(sounds, "sound"));
+    REQUIRE(sounds.hears("/status"));
+    sounds.send("/play");
+    REQUIRE(sounds.hears_contacts(12));
+    kit.end();
+    const app::TimingSummary summary = kit.server().summary();
+    CHECK(summary.contacts >= 12);
+    CHECK(summary.worst_error < 5e-3);
+    CHECK(summary.worst_error > 1e-6);  // physics, not the plan
+    CHECK(kit.server().player().passed_over() == 0);
 }
 
 TEST_CASE("kit server: a live note is a contact, at once or with its stroke, and never both") {

@@ -28,9 +28,9 @@ std::vector<sim::KitContact> play(const score::Kit& kit,
     sim::KitSimulation simulation(kit, std::move(bodies), posture, kStart);
     std::vector<sim::KitContact> contacts;
     while (simulation.time() < strokes.back().time + 0.3) {
-        sim::LimbForecasts forecasts;
+        body::LimbForecasts forecasts;
         for (const score::KitStroke& s : strokes) {
-            sim::LimbForecast& f = forecasts[score::index(s.limb)];
+            body::LimbForecast& f = forecasts[score::index(s.limb)];
             if (s.time <= simulation.time()) f.last = {s.time, s.event};
             if (s.time > simulation.time() && s.time < f.next.time) f.next = {s.time, s.event};
         }
