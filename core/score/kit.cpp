@@ -15,9 +15,9 @@ void expect(bool holds, const std::string& what) {
 }
 
 void check_range(double value, double low, double high, const std::string& what) {
-    expect(value >= low && value <= high, what + ": expected " + std::to_string(low) + " to " +
-                                              std::to_string(high) + ", got " +
-                                              std::to_string(value));
+    if (value >= low && value <= high) return;
+    expect(false, what + ": expected " + std::to_string(low) + " to " + std::to_string(high) +
+                      ", got " + std::to_string(value));
 }
 
 template <class Things>

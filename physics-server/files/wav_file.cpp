@@ -37,7 +37,8 @@ template <class Take>
 void read_pieces(const std::filesystem::path& path, SNDFILE* file, const SF_INFO& info, Take take) {
     // In pieces, so that a header that promises too much, frames or channels, takes no memory for
     // it.
-    const sf_count_t frames = std::max<sf_count_t>(1, 65536 / info.channels);
+    const sf_count_t most = std::max<sf_count_t>(1, 65536 / info.channels);
+    const sf_count_t frames = std::clamp<sf_count_t>(info.frames, 1, most);
     std::vector<double> piece(static_cast<std::size_t>(frames * info.channels));
     for (sf_count_t got = 1; got > 0;) {
         got = sf_readf_double(file, piece.data(), frames);
