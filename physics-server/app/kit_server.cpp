@@ -144,12 +144,7 @@ bool KitServer::obey(const osc::Heard& heard) {
     } else if (const auto* score = std::get_if<osc::LoadScore>(&command)) {
         begin_loading(heard, score->path);
     } else if (const auto* routes = std::get_if<osc::SaveRoutes>(&command)) {
-        saving_.begin(
-            heard,
-            [folder = options_.score_folder, file = routes->file, all = endpoint_.routes()] {
-                return write_routes(folder, file, all);
-            },
-            std::identity());
+        save_routes(saving_, heard, options_.score_folder, routes->file, endpoint_.routes());
     } else if (const auto* kit = std::get_if<osc::SaveKit>(&command)) {
         save_kit(heard, kit->file);
     } else {

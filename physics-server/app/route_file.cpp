@@ -1,6 +1,7 @@
 #include "app/route_file.hpp"
 
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 
 #include "app/named_file.hpp"
@@ -37,6 +38,14 @@ std::string write_routes(const std::filesystem::path& folder, const std::string&
     for (const auto& [number, line] : routes) text += line + '\n';
     files::replace_text(path, text);
     return path.filename().string();
+}
+
+void save_routes(Errand<std::string>& errand, const osc::Heard& wish,
+                 const std::filesystem::path& folder, const std::string& name,
+                 const std::vector<std::pair<int, std::string>>& routes) {
+    errand.begin(
+        wish, [folder, name, routes] { return write_routes(folder, name, routes); },
+        std::identity());
 }
 
 }  // namespace percussionist::app

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/errand.hpp"
+
 namespace percussionist::app {
 
 /// Throws std::runtime_error naming file and line.
@@ -16,5 +18,10 @@ std::vector<std::string> read_routes(const std::filesystem::path& path);
 /// plain name (letters, digits, - and _) or the file cannot be written; what was in it stays then.
 std::string write_routes(const std::filesystem::path& folder, const std::string& name,
                          const std::vector<std::pair<int, std::string>>& routes);
+
+/// The same by an errand. Throws as Errand::begin().
+void save_routes(Errand<std::string>& errand, const osc::Heard& wish,
+                 const std::filesystem::path& folder, const std::string& name,
+                 const std::vector<std::pair<int, std::string>>& routes);
 
 }  // namespace percussionist::app

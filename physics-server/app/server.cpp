@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -113,12 +112,7 @@ void Server::obey(const osc::Heard& heard) {
     } else if (const auto* score = std::get_if<osc::LoadScore>(&command)) {
         begin_loading(heard, score->path);
     } else if (const auto* routes = std::get_if<osc::SaveRoutes>(&command)) {
-        saving_.begin(
-            heard,
-            [folder = options_.score_folder, file = routes->file, all = endpoint_.routes()] {
-                return write_routes(folder, file, all);
-            },
-            std::identity());
+        save_routes(saving_, heard, options_.score_folder, routes->file, endpoint_.routes());
     } else if (const auto* wish = std::get_if<osc::Record>(&command)) {
         record(heard, wish->file);
     } else {
