@@ -162,7 +162,8 @@ TEST_CASE("stroke path: the end of a stroke prepares the next without a stop") {
     }
 }
 
-TEST_CASE("stroke path: a stroke moved so late that it would go through the head cannot be followed") {
+TEST_CASE(
+    "stroke path: a stroke moved so late that it would go through the head cannot be followed") {
     StrokePath path;
     path.aim(0.0, gesture_at(1.0, "vertical-accent"));
     CHECK(path.can_be_followed(0.01));
