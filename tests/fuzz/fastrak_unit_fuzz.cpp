@@ -17,17 +17,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (std::size_t at = 0; at < size; at += 16) {
         unit.receive({data + at, std::min<std::size_t>(16, size - at)}, now);
         unit.advance(now += 0.01, out);
-        if (out.size() > (1U << 20)) {
-            out.clear();
-        }
+        if (out.size() > (1U << 16)) out.clear();
     }
     // Whatever half a command or pause there was: a line end, all off, and time for it; more time
-    // for slow lines and restarts.
+    // for restarts, for 3 s in which it saves and hears nothing, for slow lines.
     const std::string_view ask =
         "\r\x11"
         "co1152\rS";
     out.clear();
-    for (const double patience : {0.1, 0.4, 3.5, 20.0}) {
+    for (const double patience : {0.1, 0.4, 2.7, 0.4, 20.0}) {
         unit.receive({reinterpret_cast<const std::uint8_t*>(ask.data()), ask.size()}, now);
         unit.advance(now += patience, out);
         if (motion::find_status({reinterpret_cast<const char*>(out.data()), out.size()})) {
