@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <string>
 #include <thread>
 #include <utility>
@@ -13,13 +14,14 @@
 
 namespace percussionist::test {
 
-/// Goes as fast as it is asked to: sleeping is jumping ahead.
+/// Goes as fast as it is asked to: sleeping is jumping ahead, once the threads that hear and tell
+/// have had the processor; what they are given to send is bounded.
 class HurriedClock : public app::WallClock {
   public:
     double now() const override { return now_; }
     void sleep_until(double time) override {
         now_ = std::max(now_.load(), time);
-        std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::microseconds(20));
     }
     void jump(double seconds) { now_ = now_ + seconds; }
 
