@@ -2,6 +2,16 @@
 
 namespace percussionist::app {
 
+void put_touch(const body::Touch& touch, osc::ContactMessage& m) {
+    m.wall = m.instant = touch.instant;
+    m.place = floats<2>(touch.place);
+    m.velocity = floats<3>(touch.velocity);
+    m.force = floats<3>(touch.peak_force);
+    m.impulse = static_cast<float>(touch.impulse);
+    m.duration = static_cast<float>(touch.duration);
+    m.mass = static_cast<float>(touch.effective_mass);
+}
+
 osc::PoseMessage pose_message(double time, const body::Skeleton& skeleton,
                               const body::Placement& placement) {
     osc::PoseMessage pose;

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "body/posture.hpp"
+#include "body/touch.hpp"
 #include "osc/outgoing.hpp"
 
 namespace percussionist::app {
@@ -25,6 +26,9 @@ inline std::array<float, 4> floats(const linear::Quaternion& q) {
     return {static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()),
             static_cast<float>(q.z())};
 }
+
+/// What was felt where something was struck, into a contact's message.
+void put_touch(const body::Touch& touch, osc::ContactMessage& message);
 
 osc::PoseMessage pose_message(double time, const body::Skeleton& skeleton,
                               const body::Placement& placement);

@@ -53,15 +53,7 @@ osc::ContactMessage contact_message(const body::KitContact& contact, const score
     m.impulse = static_cast<float>(event.mass * speed * (1.0 + event.elasticity));
     m.duration = static_cast<float>(2.94 * depth / speed);
     m.mass = static_cast<float>(event.mass);
-    if (const auto& touch = contact.touch) {
-        m.wall = m.instant = touch->instant;
-        m.place = floats<2>(touch->place);
-        m.velocity = floats<3>(touch->velocity);
-        m.force = floats<3>(touch->peak_force);
-        m.impulse = static_cast<float>(touch->impulse);
-        m.duration = static_cast<float>(touch->duration);
-        m.mass = static_cast<float>(touch->effective_mass);
-    }
+    if (contact.touch) put_touch(*contact.touch, m);
     m.event = static_cast<int>(contact.event);
     m.event_name = event.name;
     m.object_name = kit.objects[event.object].name;

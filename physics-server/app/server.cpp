@@ -148,14 +148,7 @@ void Server::tell_contact(const LoggedContact& contact) {
     m.hand = static_cast<int>(c.hand);
     m.drum = c.drum;
     m.stroke = contact.stroke;
-    m.wall = c.instant;
-    m.instant = c.instant;
-    m.place = floats<2>(c.place);
-    m.velocity = floats<3>(c.velocity);
-    m.force = floats<3>(c.peak_force);
-    m.impulse = static_cast<float>(c.impulse);
-    m.duration = static_cast<float>(c.duration);
-    m.mass = static_cast<float>(c.effective_mass);
+    put_touch(c, m);
     m.recontact = c.recontact;
     tell(m);
 }
