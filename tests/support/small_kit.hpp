@@ -1,11 +1,13 @@
-// A kit for tests: kick, snare, hi-hat, ride and three toms about a right-handed drummer, and
-// scores for it.
+// A kit for tests: kick, snare, hi-hat, ride and three toms about a right-handed drummer, what its
+// objects are made of, and scores and strokes for it.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "core/modal/resonator.hpp"
 #include "core/score/kit.hpp"
+#include "core/score/kit_plan.hpp"
 #include "core/score/score.hpp"
 
 namespace percussionist::test {
@@ -57,6 +59,16 @@ inline score::Kit small_kit() {
     return kit;
 }
 
+/// A membrane for each object.
+inline std::vector<modal::Resonator> small_bodies(const score::Kit& kit) {
+    std::vector<modal::Resonator> bodies;
+    for (const score::KitObject& object : kit.objects) {
+        bodies.emplace_back(modal::Membrane{.radius = object.radius}, modal::Decay{},
+                            modal::Choice{.count = 64});
+    }
+    return bodies;
+}
+
 inline score::Note kit_note(double time, int key, double velocity = 0.7) {
     return {time, key, velocity, 9, score::TempoMap().position_at(time)};
 }
@@ -69,6 +81,25 @@ inline score::Score kit_line(const std::vector<int>& keys, double interval) {
         if (keys[i] != 0) score.notes.push_back(kit_note(time, keys[i]));
     }
     return score;
+}
+
+/// Hat and snare, `apart` seconds each, kick below.
+inline std::vector<score::KitStroke> hat_and_snare(const score::Kit& kit, int count,
+                                                   double apart = 0.25) {
+    using score::Limb;
+    std::vector<score::KitStroke> strokes;
+    const auto event = [&](const char* name) { return *kit.event_named(name); };
+    for (int i = 0; i < count; ++i) {
+        const double time = apart * i;
+        strokes.push_back({time, Limb::right_hand, event("hat"), 0.6, 0, false, {}});
+        if (i % 4 == 2) {
+            strokes.push_back({time, Limb::left_hand, event("snare"), 0.9, 0, false, {}});
+        }
+        if (i % 4 == 0) {
+            strokes.push_back({time, Limb::right_foot, event("kick"), 0.8, 0, false, {}});
+        }
+    }
+    return strokes;
 }
 
 }  // namespace percussionist::test

@@ -14,6 +14,7 @@ using body::LiveDrummer;
 using score::Limb;
 using score::SongClock;
 using score::SongStep;
+using test::hat_and_snare;
 
 namespace {
 
@@ -48,26 +49,11 @@ struct Playing {
     }
 };
 
-/// Hat and snare, a quarter of a second apart, kick below.
-std::vector<score::KitStroke> groove(const score::Kit& kit, int count, double apart = 0.25) {
-    std::vector<score::KitStroke> strokes;
-    const auto event = [&](const char* name) { return *kit.event_named(name); };
-    for (int i = 0; i < count; ++i) {
-        const double time = apart * i;
-        strokes.push_back({time, Limb::right_hand, event("hat"), 0.6, 0, false, {}});
-        if (i % 4 == 2)
-            strokes.push_back({time, Limb::left_hand, event("snare"), 0.9, 0, false, {}});
-        if (i % 4 == 0)
-            strokes.push_back({time, Limb::right_foot, event("kick"), 0.8, 0, false, {}});
-    }
-    return strokes;
-}
-
 }  // namespace
 
 TEST_CASE("live drummer: each stroke of a song is one contact, at its time, the limb at its spot") {
     Playing p;
-    const auto strokes = groove(p.drummer.kit(), 40);
+    const auto strokes = hat_and_snare(p.drummer.kit(), 40);
     p.play(strokes);
     p.run(12.0);
     REQUIRE(p.contacts.size() == strokes.size());
@@ -82,7 +68,7 @@ TEST_CASE("live drummer: after a seek he is on time, in place, and strikes nothi
     for (const double to : {6.1, 1.05, 3.76}) {
         CAPTURE(to);
         Playing p;
-        const auto strokes = groove(p.drummer.kit(), 40);
+        const auto strokes = hat_and_snare(p.drummer.kit(), 40);
         p.drummer.load(strokes);
         p.clock.told(0.0, 0.0, 3.0);
         p.run(1.3);
@@ -105,7 +91,7 @@ TEST_CASE("live drummer: after a seek he is on time, in place, and strikes nothi
 
 TEST_CASE("live drummer: followed with a drift, contacts keep to the player to a millisecond") {
     Playing p;
-    const auto strokes = groove(p.drummer.kit(), 200);
+    const auto strokes = hat_and_snare(p.drummer.kit(), 200);
     p.drummer.load(strokes);
     constexpr double kRate = 1.001;
     for (double told = 0.0; told < 40.0; told += 0.1) {
@@ -124,7 +110,7 @@ TEST_CASE("live drummer: followed with a drift, contacts keep to the player to a
 
 TEST_CASE("live drummer: while the song stands nothing moves and nothing is struck") {
     Playing p;
-    p.drummer.load(groove(p.drummer.kit(), 40));
+    p.drummer.load(hat_and_snare(p.drummer.kit(), 40));
     p.clock.told(0.0, 0.0, 2.0);
     p.run(1.1);
     p.clock.hold(std::nullopt);
@@ -183,7 +169,7 @@ TEST_CASE("live drummer: a fast roll of live notes goes from hand to hand") {
 
 TEST_CASE("live drummer: live notes cost the song none of its strokes") {
     Playing p;
-    const auto strokes = groove(p.drummer.kit(), 40, 0.3);
+    const auto strokes = hat_and_snare(p.drummer.kit(), 40, 0.3);
     p.play(strokes);
     int seen = 0;
     const std::size_t tom = *p.drummer.kit().event_named("snare");
@@ -226,7 +212,7 @@ TEST_CASE("live drummer: a pose that is edited holds from the next step on, and 
 TEST_CASE("live drummer: the same notes at the same times give the same motion, to the last bit") {
     const auto course = [] {
         Playing p;
-        p.play(groove(p.drummer.kit(), 10));
+        p.play(hat_and_snare(p.drummer.kit(), 10));
         p.run(1.7);
         p.drummer.strike(0, 0.4, false);
         p.run(0.8);

@@ -20,12 +20,7 @@ std::vector<sim::KitContact> play(const score::Kit& kit,
     body::Posture posture(animation.skeleton());
     body::Placement placement(animation.skeleton());
     animation.at(kStart, posture, placement);
-    std::vector<modal::Resonator> bodies;
-    for (const score::KitObject& object : kit.objects) {
-        bodies.emplace_back(modal::Membrane{.radius = object.radius}, modal::Decay{},
-                            modal::Choice{.count = 64});
-    }
-    sim::KitSimulation simulation(kit, std::move(bodies), posture, kStart);
+    sim::KitSimulation simulation(kit, small_bodies(kit), posture, kStart);
     std::vector<sim::KitContact> contacts;
     while (simulation.time() < strokes.back().time + 0.3) {
         body::LimbForecasts forecasts;

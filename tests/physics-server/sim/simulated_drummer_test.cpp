@@ -12,22 +12,14 @@ using namespace percussionist;
 using body::KitContact;
 using score::Limb;
 using sim::SimulatedDrummer;
+using test::hat_and_snare;
 
 namespace {
-
-std::vector<modal::Resonator> bodies_of(const score::Kit& kit) {
-    std::vector<modal::Resonator> bodies;
-    for (const score::KitObject& object : kit.objects) {
-        bodies.emplace_back(modal::Membrane{.radius = object.radius}, modal::Decay{},
-                            modal::Choice{.count = 64});
-    }
-    return bodies;
-}
 
 /// A drummer's body, what leads it, a song and its clock, stepped together.
 struct Playing {
     body::LiveDrummer led{test::small_kit()};
-    SimulatedDrummer drummer{led, bodies_of(led.kit())};
+    SimulatedDrummer drummer{led, test::small_bodies(led.kit())};
     score::SongClock clock;
     std::vector<KitContact> contacts;
     long steps = 0;
@@ -48,29 +40,13 @@ struct Playing {
         return own;
     }
     std::size_t event(const char* name) const { return *led.kit().event_named(name); }
-
-    /// Hat and snare, a quarter of a second apart, kick below.
-    std::vector<score::KitStroke> groove(int count) const {
-        std::vector<score::KitStroke> strokes;
-        for (int i = 0; i < count; ++i) {
-            const double time = 0.25 * i;
-            strokes.push_back({time, Limb::right_hand, event("hat"), 0.6, 0, false, {}});
-            if (i % 4 == 2) {
-                strokes.push_back({time, Limb::left_hand, event("snare"), 0.9, 0, false, {}});
-            }
-            if (i % 4 == 0) {
-                strokes.push_back({time, Limb::right_foot, event("kick"), 0.8, 0, false, {}});
-            }
-        }
-        return strokes;
-    }
 };
 
 }  // namespace
 
 TEST_CASE("simulated drummer: each stroke of a song is one contact of his body, within 5 ms") {
     Playing p;
-    const auto strokes = p.groove(16);
+    const auto strokes = hat_and_snare(p.led.kit(), 16);
     p.drummer.load(strokes);
     p.clock.play(p.now(), -1.0);
     p.run(5.5);
@@ -136,7 +112,7 @@ TEST_CASE("simulated drummer: a live note is struck by his body, and is told who
 
 TEST_CASE("simulated drummer: after a jump he plays on, from where the song is") {
     Playing p;
-    const auto strokes = p.groove(40);
+    const auto strokes = hat_and_snare(p.led.kit(), 40);
     p.drummer.load(strokes);
     p.clock.play(p.now(), -1.0);
     p.run(2.5);
