@@ -33,6 +33,14 @@ class OscListener {
         send(osc::encode_text(address, texts));
     }
 
+    /// Asks for a feed and waits for the answer; false if there is none within a minute.
+    bool subscribes(const std::string& feed) {
+        const int before = count("/status");
+        send(osc::encode_message("/subscribe",
+                                 std::vector<osc::Argument>{static_cast<double>(port()), feed}));
+        return hears("/status", before + 1);
+    }
+
     /// How often an address has been heard.
     int count(const std::string& address) const {
         const std::lock_guard lock(mutex_);

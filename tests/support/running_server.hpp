@@ -55,9 +55,4 @@ class Running {
     std::thread thread_;
 };
 
-inline osc::Packet subscription(const OscListener& listener, const std::string& feed) {
-    return osc::encode_message(
-        "/subscribe", std::vector<osc::Argument>{static_cast<double>(listener.port()), feed});
-}
-
 }  // namespace percussionist::test

@@ -12,7 +12,6 @@
 
 using namespace percussionist;
 using test::OscListener;
-using test::subscription;
 
 namespace {
 
@@ -27,11 +26,9 @@ osc::Packet note(double key, double velocity, const std::string& sound) {
 TEST_CASE("kit server: tells the kit, what moves of it, and every stroke once") {
     RunningKit kit;
     OscListener all(kit.port());
-    all.send(subscription(all, "all"));
     OscListener sounds(kit.port());  // a hurried server floods who wants poses
-    sounds.send(subscription(sounds, "sound"));
-    REQUIRE(all.hears("/status"));
-    REQUIRE(sounds.hears("/status"));
+    REQUIRE(all.subscribes("all"));
+    REQUIRE(sounds.subscribes("sound"));
     all.send("/play");
     REQUIRE(all.hears("/finished"));
     CHECK(all.hears("/kit/object", 11));
@@ -52,8 +49,7 @@ TEST_CASE("kit server: his body plays: what is told of a contact is what it felt
     options.simulated = true;
     RunningKit kit(options);
     OscListener sounds(kit.port());
-    sounds.send(subscription(sounds, "sound"));
-    REQUIRE(sounds.hears("/status"));
+    REQUIRE(sounds.subscribes("sound"));
     sounds.send("/play");
     REQUIRE(sounds.hears_contacts(12));
     kit.end();
@@ -68,8 +64,7 @@ TEST_CASE("kit server: a live note is a contact, at once or with its stroke, and
     for (const char* sound : {"now", "contact"}) {
         RunningKit kit;
         OscListener sounds(kit.port());
-        sounds.send(subscription(sounds, "sound"));
-        REQUIRE(sounds.hears("/status"));
+        REQUIRE(sounds.subscribes("sound"));
         sounds.send(note(38, 100, sound));
         REQUIRE(sounds.hears("/noted"));
         const int statuses = sounds.count("/status");
@@ -81,8 +76,7 @@ TEST_CASE("kit server: a live note is a contact, at once or with its stroke, and
 TEST_CASE("kit server: a note that has sounded is nobody's contact; a key of no event is refused") {
     RunningKit kit;
     OscListener sounds(kit.port());
-    sounds.send(subscription(sounds, "sound"));
-    REQUIRE(sounds.hears("/status"));
+    REQUIRE(sounds.subscribes("sound"));
     sounds.send(note(38, 100, "none"));
     REQUIRE(sounds.hears("/noted"));
     sounds.send(note(99, 100, "now"));
@@ -97,8 +91,7 @@ TEST_CASE("kit server: a note that has sounded is nobody's contact; a key of no 
 TEST_CASE("kit server: told where a song is it goes on from there; paused it stays") {
     RunningKit kit;
     OscListener sounds(kit.port());
-    sounds.send(subscription(sounds, "sound"));
-    REQUIRE(sounds.hears("/status"));
+    REQUIRE(sounds.subscribes("sound"));
     sounds.send(osc::encode_message("/song/position", std::vector<osc::Argument>{5.0}));
     REQUIRE(sounds.hears("/contact"));
     sounds.send(osc::encode_message("/song/pause", std::vector<osc::Argument>{7.0}));
@@ -119,8 +112,7 @@ TEST_CASE(
     options.score_folder = folder;
     RunningKit kit(options);
     OscListener editor(kit.port());
-    editor.send(subscription(editor, "sound"));
-    REQUIRE(editor.hears("/status"));
+    REQUIRE(editor.subscribes("sound"));
     editor.send(
         osc::encode_message("/pose/joint", std::vector<osc::Argument>{"elbow", .1, .2, .3}));
     REQUIRE(editor.hears("/error", 1));

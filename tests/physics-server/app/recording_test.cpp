@@ -34,7 +34,7 @@ std::vector<app::LoggedContact> perform(app::ServeOptions options,
     std::atomic<bool> stop{false};
     std::thread thread([&] { server.run(stop); });
     OscListener client(server.port());
-    client.send(test::subscription(client, "sound"));
+    REQUIRE(client.subscribes("sound"));
     act(client);
     stop = true;
     thread.join();

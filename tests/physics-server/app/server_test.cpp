@@ -15,7 +15,6 @@
 
 using namespace percussionist;
 using test::OscListener;
-using test::subscription;
 
 namespace {
 
@@ -27,10 +26,8 @@ TEST_CASE("server: two subscribers hear every contact, poses and status only who
     RunningServer server;
     OscListener sound(server.port());
     OscListener all(server.port());
-    sound.send(subscription(sound, "sound"));
-    all.send(subscription(all, "all"));
-    REQUIRE(sound.hears("/status"));
-    REQUIRE(all.hears("/status"));
+    REQUIRE(sound.subscribes("sound"));
+    REQUIRE(all.subscribes("all"));
     sound.send("/play");
     REQUIRE(sound.hears("/finished"));
     REQUIRE(all.hears("/finished"));
@@ -45,11 +42,8 @@ TEST_CASE("server: of two viewers and two that sound, one of each dies; the othe
     OscListener sound(server.port()), viewer(server.port());
     auto dying_sound = std::make_unique<OscListener>(server.port());
     auto dying_viewer = std::make_unique<OscListener>(server.port());
-    for (OscListener* one : {&sound, dying_sound.get()}) one->send(subscription(*one, "sound"));
-    for (OscListener* one : {&viewer, dying_viewer.get()}) one->send(subscription(*one, "all"));
-    for (OscListener* one : {&sound, &viewer, dying_sound.get(), dying_viewer.get()}) {
-        REQUIRE(one->hears("/status"));
-    }
+    for (OscListener* one : {&sound, dying_sound.get()}) REQUIRE(one->subscribes("sound"));
+    for (OscListener* one : {&viewer, dying_viewer.get()}) REQUIRE(one->subscribes("all"));
     sound.send("/play");
     REQUIRE(dying_sound->hears("/contact", 5));
     dying_sound.reset();
@@ -82,7 +76,7 @@ TEST_CASE("server: a score outside its folder, or none, is refused and the old o
     options.score_folder = folder;
     RunningServer server(options);
     OscListener asker(server.port());
-    asker.send(subscription(asker, "sound"));
+    REQUIRE(asker.subscribes("sound"));
     int errors = 0;
     for (const char* name : {"../../etc/passwd", "nowhere.mid", "broken.mid"}) {
         asker.send("/score", {name});
@@ -96,8 +90,7 @@ TEST_CASE("server: a score outside its folder, or none, is refused and the old o
 TEST_CASE("server: unsubscribed, one hears no more") {
     RunningServer server;
     OscListener asker(server.port());
-    asker.send(subscription(asker, "sound"));
-    REQUIRE(asker.hears("/status", 2));
+    REQUIRE(asker.subscribes("sound"));
     asker.send(osc::encode_message("/unsubscribe",
                                    std::vector<osc::Argument>{static_cast<double>(asker.port())}));
     asker.send("/ping");
@@ -169,12 +162,11 @@ TEST_CASE("server: routes are saved by a plain name, and nowhere else") {
 TEST_CASE("server: a listener that has gone is dropped, and the others are told") {
     RunningServer server;
     OscListener stays(server.port());
-    stays.send(subscription(stays, "sound"));
+    REQUIRE(stays.subscribes("sound"));
     int gone = 0;
     {
         OscListener leaves(server.port());
-        leaves.send(subscription(leaves, "sound"));
-        REQUIRE(leaves.hears("/status"));
+        REQUIRE(leaves.subscribes("sound"));
         gone = leaves.port();
     }
     REQUIRE(stays.hears("/dropped"));
@@ -187,8 +179,7 @@ TEST_CASE(
     for (const double seconds : {1.0, 3600.0}) {
         RunningServer running;
         OscListener listener(running.port());
-        listener.send(subscription(listener, "sound"));
-        REQUIRE(listener.hears("/status"));
+        REQUIRE(listener.subscribes("sound"));
         listener.send("/play");
         REQUIRE(listener.hears("/contact", 20));
         running.clock().jump(seconds);
