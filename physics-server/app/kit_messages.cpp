@@ -14,11 +14,26 @@ namespace {
 
 using linear::Vector3;
 
-/// Where on the face, from its middle: forward, to the left [m].
-std::array<float, 2> place_on(const score::KitEvent& event, score::Limb limb) {
+/// Where on the face, from its middle, forward and to the left [m].
+Vector3 place_on(const score::KitEvent& event, score::Limb limb) {
     const double side = limb == score::Limb::left_hand ? 0.5 : -0.5;
     const double apart = score::is_hand(limb) ? side * event.apart : 0.0;
-    return {static_cast<float>(event.forward), static_cast<float>(event.left + apart)};
+    return {event.forward, event.left + apart, 0.0};
+}
+
+/// Of a stroke that no body has made.
+body::Touch touch_of(const body::KitContact& contact, const score::KitEvent& event) {
+    const double speed = score::impact_speed(contact.velocity);
+    const double depth = std::pow(1.25 * event.mass * speed * speed / event.stiffness, 0.4);  // [m]
+    body::Touch touch;
+    touch.instant = contact.time;
+    touch.place = place_on(event, contact.limb);
+    touch.velocity = {0.0, 0.0, -speed};
+    touch.peak_force = {0.0, 0.0, -event.stiffness * std::pow(depth, 1.5)};
+    touch.impulse = event.mass * speed * (1.0 + event.elasticity);
+    touch.duration = 2.94 * depth / speed;
+    touch.effective_mass = event.mass;
+    return touch;
 }
 
 osc::KitMessage::Pedal pedal_message(const score::Pedal& pedal, const score::Kit& kit) {
@@ -40,20 +55,11 @@ osc::KitMessage::Pedal pedal_message(const score::Pedal& pedal, const score::Kit
 
 osc::ContactMessage contact_message(const body::KitContact& contact, const score::Kit& kit) {
     const score::KitEvent& event = kit.events[contact.event];
-    const double speed = score::impact_speed(contact.velocity);
-    const double depth = std::pow(1.25 * event.mass * speed * speed / event.stiffness, 0.4);  // [m]
     osc::ContactMessage m;
     m.hand = static_cast<int>(contact.limb);
     m.drum = static_cast<int>(event.object);
     m.stroke = contact.stroke;
-    m.wall = m.instant = contact.time;
-    m.place = place_on(event, contact.limb);
-    m.velocity = {0.0F, 0.0F, static_cast<float>(-speed)};
-    m.force = {0.0F, 0.0F, static_cast<float>(-event.stiffness * std::pow(depth, 1.5))};
-    m.impulse = static_cast<float>(event.mass * speed * (1.0 + event.elasticity));
-    m.duration = static_cast<float>(2.94 * depth / speed);
-    m.mass = static_cast<float>(event.mass);
-    if (contact.touch) put_touch(*contact.touch, m);
+    put_touch(contact.touch ? *contact.touch : touch_of(contact, event), m);
     m.event = static_cast<int>(contact.event);
     m.event_name = event.name;
     m.object_name = kit.objects[event.object].name;
