@@ -124,6 +124,7 @@ LoadedClip load_csv(const ClipOptions& options) {
             paths[std::min(hand++, 1)] = std::move(path);
         }
     }
+    out.person = options.person;
     if (options.mass > 0.0) out.person.mass = options.mass;
     out.skeleton = body::make_skeleton(out.person);
     body::StickMotion motion = body::follow_sticks(options.files.front().filename().string(),

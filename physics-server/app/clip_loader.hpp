@@ -20,6 +20,7 @@ struct ClipOptions {
     double rate = 250.0;  ///< of a CSV file that counts frames [Hz]
     std::string hand;     ///< of a CSV file with one path: left or right; empty: its name's
     std::vector<double> tip_offset;  ///< of the tip in the mallet's frame, x y z [m]; empty: zero
+    body::Anthropometry person;      ///< whose sticks they are, of CSV files
     bool wide_limits = true;         ///< the usual joint limits are widened to hold the clip
 };
 

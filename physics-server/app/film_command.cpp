@@ -39,7 +39,7 @@ struct Filmed {
 };
 
 Filmed film_drum(const FilmCommandOptions& options, const std::filesystem::path& work) {
-    LoadedScore score = load_score(options.score);
+    LoadedScore score = load_score(options.score, options.simulation.person);
     for (const std::string& remark : score.remarks) fmt::print(stderr, "{}\n", remark);
     fmt::print("score: {}: {} of {} notes as strokes\n", score.title, score.strokes.size(),
                score.notes);
@@ -48,7 +48,7 @@ Filmed film_drum(const FilmCommandOptions& options, const std::filesystem::path&
     const sim::Simulation& simulation = performance.simulation();
     FilmList list(work / "film.txt", options.film_options);
     list.scene(simulation, options.simulation.head.membrane.radius);
-    performance.load(std::move(score.strokes));
+    performance.load(std::move(score.strokes), score.motion);
     Steering steering(performance, body::built_in_gestures());
     obey(steering, options.messages);
     performance.play();

@@ -12,9 +12,17 @@ constexpr double kRingOut = 2.5;
 
 }  // namespace
 
-void Performance::load(std::vector<score::Stroke> strokes) {
-    player_.load(std::move(strokes));
+void Performance::load(std::vector<score::Stroke> strokes,
+                       const std::shared_ptr<const CapturedMotion>& motion) {
     performing_ = false;
+    if (!motion) {
+        player_.load(std::move(strokes));
+        return;
+    }
+    player_.load(std::move(strokes), {motion, &motion->clip});
+    for (int i = 0; i < simulation_.skeleton().size(); ++i) {
+        simulation_.set_limits(i, motion->limits[static_cast<std::size_t>(i)]);
+    }
 }
 
 void Performance::play() {

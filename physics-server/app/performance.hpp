@@ -19,7 +19,8 @@ class Performance {
     explicit Performance(const sim::SimulationOptions& options)
         : simulation_(options), player_(simulation_) {}
 
-    void load(std::vector<score::Stroke> strokes);
+    void load(std::vector<score::Stroke> strokes,
+              const std::shared_ptr<const CapturedMotion>& motion = nullptr);
     /// From the beginning; what was logged before is forgotten.
     void play();
     void stop();

@@ -40,9 +40,11 @@ body::StrokeShape shape_of(const score::Stroke& stroke,
 
 }  // namespace
 
-void Player::load(std::vector<score::Stroke> strokes) {
+void Player::load(std::vector<score::Stroke> strokes,
+                  std::shared_ptr<const body::PlayableClip> clip) {
     stop();
     strokes_ = std::move(strokes);
+    clip_ = std::move(clip);
     share_out();
 }
 
@@ -52,7 +54,7 @@ void Player::share_out() {
         h.strokes.clear();
         h.next = 0;
     }
-    const int exchange = leading_ == Hand::right ? 0 : 1;
+    const int exchange = leading_ == Hand::right || clip_ ? 0 : 1;
     for (std::size_t i = 0; i < strokes_.size(); ++i) {
         hands_[strokes_[i].hand ^ exchange].strokes.push_back(i);
     }
@@ -69,6 +71,7 @@ void Player::play() {
     asked_ = dropped_ = 0;
     last_impact_ = now;
     playing_ = true;
+    if (clip_) simulation_.play(clip_, [this](double t) { return tempo_.position(t); });
 }
 
 void Player::stop() {
@@ -76,12 +79,20 @@ void Player::stop() {
     playing_ = false;
     for (const Hand hand : kHands) {
         HandState& h = state(hand);
-        const bool aiming = simulation_.path(hand).aiming(simulation_.frontier());
-        if (!aiming) continue;
-        simulation_.rest(hand);
+        if (!busy(hand)) continue;
+        if (!clip_) simulation_.rest(hand);
         if (!h.recent.empty()) h.recent.pop_back();
         --asked_;
     }
+    if (clip_) simulation_.follow_strokes();
+}
+
+/// Whether a stroke that it was given is still to come.
+bool Player::busy(Hand hand) const {
+    const double now = simulation_.frontier();
+    if (!clip_) return simulation_.path(hand).aiming(now);
+    const auto& recent = hands_[static_cast<int>(hand)].recent;
+    return !recent.empty() && recent.back().time > now;
 }
 
 void Player::set_tempo(double factor, double seconds) {
@@ -112,9 +123,13 @@ void Player::rebend() {
 void Player::rebend(Hand hand) {
     HandState& h = state(hand);
     const double now = simulation_.frontier();
-    if (!simulation_.path(hand).aiming(now) || h.recent.empty()) return;
+    if (!busy(hand) || h.recent.empty()) return;
     Asked bent = h.recent.back();
     bent.time = impact_time(bent.stroke);
+    if (clip_) {
+        h.recent.back().time = bent.time;
+        return;
+    }
     const double left = std::min(h.recent.back().time, bent.time) - now;
     if (left < kCommitted) return;
     if (left > kShaped) shape(hand, bent);
@@ -125,11 +140,12 @@ void Player::rebend(Hand hand) {
 void Player::shape(Hand hand, Asked& asked) const {
     const score::Stroke& s = strokes_[asked.stroke];
     asked.hand = hand;
-    asked.shape = shape_of(s, hands_[static_cast<int>(hand)].gesture, height_);
+    asked.shape = clip_ ? clip_->strokes()[asked.stroke].shape
+                        : shape_of(s, hands_[static_cast<int>(hand)].gesture, height_);
 }
 
 bool Player::give(Hand hand, const Asked& asked) {
-    const bool taken = simulation_.strike(hand, asked.time, asked.shape);
+    const bool taken = clip_ || simulation_.strike(hand, asked.time, asked.shape);
     if (taken) last_impact_ = std::max(last_impact_, asked.time);
     return taken;
 }
@@ -139,17 +155,23 @@ void Player::advance() {
     if (!playing_) return;
     if (wished_leading_ != leading_) change_over();
     for (const Hand hand : kHands) advance(hand);
-    const bool over = std::all_of(kHands.begin(), kHands.end(), [&](Hand hand) {
-        return state(hand).next == state(hand).strokes.size() &&
-               !simulation_.path(hand).aiming(simulation_.frontier());
+    if (!over()) return;
+    playing_ = false;
+    if (clip_) simulation_.follow_strokes();
+}
+
+bool Player::over() const {
+    const bool given = std::all_of(kHands.begin(), kHands.end(), [&](Hand hand) {
+        const HandState& h = hands_[static_cast<int>(hand)];
+        return h.next == h.strokes.size() && !busy(hand);
     });
-    if (over) playing_ = false;
+    return given && (!clip_ || tempo_.position(simulation_.frontier()) >=
+                                   clip_->follower().clip().duration());
 }
 
 void Player::advance(Hand hand) {
     HandState& h = state(hand);
-    const double now = simulation_.frontier();
-    while (h.next < h.strokes.size() && !simulation_.path(hand).aiming(now)) {
+    while (h.next < h.strokes.size() && !busy(hand)) {
         Asked asked;
         asked.stroke = h.strokes[h.next++];
         asked.time = impact_time(asked.stroke);

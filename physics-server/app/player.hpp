@@ -1,5 +1,7 @@
 // Plays a list of strokes on the simulated percussionist: tells each hand its next stroke when the
 // one before has struck, in the manner asked for, and finds for each contact the stroke it came of.
+// Or plays a captured motion, whose strokes are what is expected of it: of what can be asked for,
+// the tempo alone holds for it.
 //
 // Simulating thread. Everything may change while it plays: strokes under way bend to it unless they
 // are about to strike. Score time is seconds at the score's own tempo; score::TempoCurve says when
@@ -9,10 +11,12 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "body/gesture.hpp"
+#include "body/playable_clip.hpp"
 #include "core/score/stroke_plan.hpp"
 #include "core/score/tempo_curve.hpp"
 #include "sim/simulation.hpp"
@@ -31,8 +35,9 @@ class Player {
   public:
     explicit Player(sim::Simulation& simulation) : simulation_(simulation) {}
 
-    /// Takes a new list (in order of time); stops what is playing.
-    void load(std::vector<score::Stroke> strokes);
+    /// Takes a new list (in order of time); stops what is playing. With a clip the strokes are its.
+    void load(std::vector<score::Stroke> strokes,
+              std::shared_ptr<const body::PlayableClip> clip = nullptr);
     /// From the beginning, the first stroke `lead` seconds from now or later.
     void play();
     void stop();
@@ -83,6 +88,8 @@ class Player {
         std::optional<body::Gesture> gesture;
     };
     void advance(body::Hand hand);
+    [[nodiscard]] bool busy(body::Hand hand) const;
+    [[nodiscard]] bool over() const;
     void rebend(body::Hand hand);
     void rebend();
     void share_out();
@@ -97,6 +104,7 @@ class Player {
 
     sim::Simulation& simulation_;
     std::vector<score::Stroke> strokes_;
+    std::shared_ptr<const body::PlayableClip> clip_;
     std::array<HandState, 2> hands_;
     std::vector<Asked> given_;
     score::TempoCurve tempo_;

@@ -23,7 +23,7 @@ struct RenderOptions {
 };
 
 void render(const RenderOptions& options) {
-    LoadedScore score = load_score(options.score);
+    LoadedScore score = load_score(options.score, options.simulation.person);
     for (const std::string& remark : score.remarks) fmt::print(stderr, "{}\n", remark);
     fmt::print("score: {}: {} of {} notes as strokes\n", score.title, score.strokes.size(),
                score.notes);
@@ -31,7 +31,7 @@ void render(const RenderOptions& options) {
     Performance performance(options.simulation);
     Steering steering(performance, body::built_in_gestures());
     PerformanceFiles files(options.folder, options.files, performance, options.simulation);
-    performance.load(std::move(score.strokes));
+    performance.load(std::move(score.strokes), score.motion);
     obey(steering, options.messages);
     performance.play();
     while (performance.playing()) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "app/clip_loader.hpp"
 #include "app/drum_midi.hpp"
 #include "app/temporary_folder.hpp"
 #include "core/listening/beats.hpp"
@@ -43,6 +44,47 @@ ScoreSource source_of(const std::filesystem::path& path) {
     return {path.filename().string(), {std::istreambuf_iterator<char>(in), {}}};
 }
 
+/// What is expected of it: a stroke where it has one.
+score::Stroke stroke_of(const body::CapturedStroke& captured, std::size_t index) {
+    score::Stroke stroke;
+    stroke.time = captured.touch;
+    stroke.hand = static_cast<int>(captured.hand);
+    stroke.speed = captured.shape.impact;
+    stroke.height = captured.shape.rise;
+    stroke.velocity = score::velocity_of_impact(captured.shape.impact);
+    stroke.note = index;
+    stroke.position = score::TempoMap().position_at(captured.touch);
+    return stroke;
+}
+
+LoadedScore load_motion(const std::filesystem::path& path, const body::Anthropometry& person) {
+    ClipOptions options;
+    options.files = {path};
+    options.person = person;
+    const LoadedClip clip = load_clip(options);
+    std::vector<body::JointLimits> limits;
+    for (const body::Segment& s : clip.skeleton.segments) limits.push_back(s.limits);
+    const body::Skeleton skeleton = body::make_skeleton(person);
+    LoadedScore loaded;
+    loaded.motion = std::make_shared<const CapturedMotion>(clip.clip, skeleton, std::move(limits));
+    const body::PlayableClip& played = loaded.motion->clip;
+    for (std::size_t i = 0; i < played.strokes().size(); ++i) {
+        loaded.strokes.push_back(stroke_of(played.strokes()[i], i));
+    }
+    loaded.remarks = clip.report;
+    loaded.remarks.push_back(
+        loaded.strokes.empty()
+            ? "no strokes in it: it is followed, and the head stays where it is"
+            : fmt::format(
+                  "the head is put at {:.2f} m, where it strikes; strokes are bent by {:.1f} "
+                  "mm at most to meet it",
+                  played.place().z() - skeleton.stick.tip_radius, 1e3 * played.worst_lift()));
+    loaded.title = path.filename().string();
+    loaded.notes = loaded.strokes.size();
+    loaded.source = source_of(path);
+    return loaded;
+}
+
 }  // namespace
 
 void print_account(const std::string& brief, const std::vector<std::string>& remarks) {
@@ -63,6 +105,10 @@ bool is_recording(const std::filesystem::path& path) {
 
 score::Score read_score(const std::filesystem::path& path, std::vector<std::string>& warnings) {
     if (path.empty()) return score::built_in_score();
+    if (is_motion(path)) {
+        throw std::runtime_error(path.filename().string() +
+                                 ": expected a score or a recording of sound, got a motion");
+    }
     if (is_recording(path)) return listen_to(path);
     if (is_musicxml(path)) return files::read_musicxml_file(path);
     const files::MidiFile file = files::read_midi_file(path);
@@ -70,7 +116,13 @@ score::Score read_score(const std::filesystem::path& path, std::vector<std::stri
     return files::midi_to_score(file);
 }
 
-LoadedScore load_score(const std::filesystem::path& path) {
+bool is_motion(const std::filesystem::path& path) {
+    const std::string kind = path.extension().string();
+    return kind == ".bvh" || kind == ".csv";
+}
+
+LoadedScore load_score(const std::filesystem::path& path, const body::Anthropometry& person) {
+    if (is_motion(path)) return load_motion(path, person);
     LoadedScore loaded;
     const score::Score score = read_score(path, loaded.remarks);
     score::StrokePlan plan = score::plan_strokes(score);
@@ -86,13 +138,13 @@ LoadedScore load_score(const std::filesystem::path& path) {
     return loaded;
 }
 
-LoadedScore load_kept_score(const ScoreSource& source) {
+LoadedScore load_kept_score(const ScoreSource& source, const body::Anthropometry& person) {
     if (source.name.empty()) return load_score(std::filesystem::path());
     // Readers of recordings want a file; the name's last part alone, whatever the recording says.
     const TemporaryFolder folder;
     const auto path = folder.path() / std::filesystem::path(source.name).filename();
     files::write_text(path, std::string(source.bytes.begin(), source.bytes.end()));
-    return load_score(path);
+    return load_score(path, person);
 }
 
 std::filesystem::path score_in_folder(const std::filesystem::path& folder,

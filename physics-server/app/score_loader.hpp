@@ -1,10 +1,13 @@
-// From a file to the strokes of two hands, with what was left out and why, in words.
+// From a file to the strokes of two hands, with what was left out and why, in words. A captured
+// motion is a score too: its strokes are those found in it.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "body/playable_clip.hpp"
 #include "core/score/stroke_plan.hpp"
 
 namespace percussionist::app {
@@ -15,12 +18,22 @@ struct ScoreSource {
     std::vector<char> bytes;
 };
 
+/// A recorded movement that the percussionist plays as it was made.
+struct CapturedMotion {
+    CapturedMotion(std::shared_ptr<const body::Clip> captured, const body::Skeleton& skeleton,
+                   std::vector<body::JointLimits> wide)
+        : clip(std::move(captured), skeleton), limits(std::move(wide)) {}
+    body::PlayableClip clip;
+    std::vector<body::JointLimits> limits;  ///< by segment: the usual ones, wide enough for it
+};
+
 struct LoadedScore {
     std::string title;
     std::size_t notes = 0;
     std::vector<score::Stroke> strokes;
     std::vector<std::string> remarks;  ///< warnings of the reader, each note left out
     ScoreSource source;
+    std::shared_ptr<const CapturedMotion> motion;  ///< null of all but captured motion
 };
 
 /// "TITLE: 12 of 13 notes", of a LoadedScore or a KitScore.
@@ -39,12 +52,16 @@ bool is_recording(const std::filesystem::path& path);
 /// The notes alone; warnings of the reader are added to `warnings`. As load_score().
 score::Score read_score(const std::filesystem::path& path, std::vector<std::string>& warnings);
 
-/// A Standard MIDI File, MusicXML, or a recording, whose drums are played; the built-in score if
-/// `path` is empty. Throws files::MidiError files::MusicXmlError or files::AudioError.
-LoadedScore load_score(const std::filesystem::path& path);
+/// By its name, motion capture of a body (BVH) or of sticks (CSV).
+bool is_motion(const std::filesystem::path& path);
+
+/// A Standard MIDI File, MusicXML, a recording, whose drums are played, or a captured motion, as
+/// that `person` plays it; the built-in score if `path` is empty. Throws files::MidiError,
+/// files::MusicXmlError, files::AudioError, or std::runtime_error of a motion.
+LoadedScore load_score(const std::filesystem::path& path, const body::Anthropometry& person = {});
 
 /// The same from a file's bytes.
-LoadedScore load_kept_score(const ScoreSource& source);
+LoadedScore load_kept_score(const ScoreSource& source, const body::Anthropometry& person = {});
 
 /// The file `name` inside `folder`, or an error: std::runtime_error if it lies outside or is not
 /// there. An empty name, or "built-in", is the built-in score (an empty path).

@@ -39,13 +39,13 @@ Server::Server(const ServeOptions& options, WallClock& clock)
       loading_(endpoint_, "another score is being read"),
       saving_(endpoint_, "routes are being written") {
     if (!options.recording.empty()) tape_.begin(options.recording);
-    if (!options.replay) use(load_score(options.score));
+    if (!options.replay) use(load_score(options.score, options.simulation.person));
 }
 
 void Server::use(LoadedScore loaded) {
     print_account(in_brief(loaded), loaded.remarks);
     tape_.loaded(steps(), loaded.source);
-    performance_.load(std::move(loaded.strokes));
+    performance_.load(std::move(loaded.strokes), loaded.motion);
 }
 
 /// What a message says of the wall clock is simulated time until it leaves.
@@ -123,8 +123,8 @@ void Server::obey(const osc::Heard& heard) {
 void Server::begin_loading(const osc::Heard& heard, const std::string& name) {
     loading_.begin(
         heard,
-        [folder = options_.score_folder, name] {
-            return load_score(score_in_folder(folder, name));
+        [folder = options_.score_folder, name, person = options_.simulation.person] {
+            return load_score(score_in_folder(folder, name), person);
         },
         in_brief<LoadedScore>);
 }

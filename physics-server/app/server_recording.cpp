@@ -35,7 +35,8 @@ void Server::play_again() {
         if (record.step > steps()) break;
         if (record.kind == files::RecordKind::score) {
             const files::PackedScore score = files::unpack_score(record.bytes);
-            use(load_kept_score({score.name, {score.bytes.begin(), score.bytes.end()}}));
+            use(load_kept_score({score.name, {score.bytes.begin(), score.bytes.end()}},
+                                options_.simulation.person));
         } else if (record.kind == files::RecordKind::heard) {
             osc::decode(record.bytes, [this](const auto& path, const auto arguments) {
                 const auto said = osc::understand(path, arguments);

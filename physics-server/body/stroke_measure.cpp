@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kWindow = 0.40;         // [s]
 constexpr double kImpactWindow = 0.016;  // [s]
-constexpr double kApart = 0.25;          // [s]
 /// A stroke falls into its low point and rises out of it at least so far within 60 ms [m], and lies
 /// in the lowest fifth of the motion.
 constexpr double kTurn = 0.02;
@@ -23,14 +22,14 @@ std::ptrdiff_t samples(double time, double dt) {
 
 }  // namespace
 
-std::vector<std::size_t> find_strokes(const HeightSeries& series) {
+std::vector<std::size_t> find_strokes(const HeightSeries& series, double apart) {
     std::vector<std::size_t> lows;
     const std::vector<double>& z = series.heights;
     if (z.size() < 3) return lows;
     const auto [least, most] = std::minmax_element(z.begin(), z.end());
     const double low_enough = *least + kLowest * (*most - *least);
     const auto around = static_cast<std::size_t>(samples(kTurnTime, series.dt));
-    const auto apart = static_cast<std::size_t>(samples(kApart, series.dt));
+    const auto least_apart = static_cast<std::size_t>(samples(apart, series.dt));
     for (std::size_t i = around; i + around < z.size(); ++i) {
         const auto before = z.begin() + static_cast<std::ptrdiff_t>(i - around);
         const auto after = z.begin() + static_cast<std::ptrdiff_t>(i + around);
@@ -38,7 +37,7 @@ std::vector<std::size_t> find_strokes(const HeightSeries& series) {
         if (!lowest || z[i] > low_enough || *before - z[i] < kTurn || *after - z[i] < kTurn) {
             continue;
         }
-        if (lows.empty() || i - lows.back() >= apart) lows.push_back(i);
+        if (lows.empty() || i - lows.back() >= least_apart) lows.push_back(i);
     }
     return lows;
 }

@@ -18,8 +18,9 @@ struct HeightSeries {
     std::vector<double> heights;
 };
 
-/// Indices of the low points, at least 0.25 s apart.
-std::vector<std::size_t> find_strokes(const HeightSeries& series);
+/// Indices of the low points, so far apart [s]: with less than what follows below takes its time,
+/// numbers of one stroke are partly those of its neighbours.
+std::vector<std::size_t> find_strokes(const HeightSeries& series, double apart = 0.25);
 
 StrokeShape measure_stroke(const HeightSeries& series, std::size_t low);
 

@@ -134,7 +134,9 @@ body::ArmTarget Simulation::arm_target(Hand hand, double t) const {
 
 body::ArmTargets Simulation::arm_targets(double t) {
     if (clip_) {
-        const body::ArmTargets targets = clip_->targets(t - clip_start_, clip_rest_);
+        const double there = clip_time_(t);
+        const body::ArmTargets targets =
+            played_ ? played_->targets(there, clip_rest_) : clip_->targets(there, clip_rest_);
         kinematics_.pull_to(clip_rest_);
         return targets;
     }
@@ -155,7 +157,7 @@ void Simulation::fill_target(double t) {
     const bool paper = controller_->options().law == Law::paper;
     kinematics_.set_arms(paper ? 1.0 : body::InverseKinematicsOptions().arms);
     if (clip_ && tracking_ == body::Tracking::joints) {
-        clip_->posture(t - clip_start_, target_.after, target_.placed_after);
+        clip_->posture(clip_time_(t), target_.after, target_.placed_after);
     } else {
         asked_next_ = arm_targets(t);
         kinematics_.solve(asked_next_, solution_, solved_);
@@ -188,25 +190,34 @@ void Simulation::fade(double t) {
     body::forward_kinematics(skeleton_, target_.after, target_.placed_after);
 }
 
-void Simulation::follow(std::shared_ptr<const body::Clip> clip) {
+void Simulation::follow(std::shared_ptr<const body::ClipFollower> clip,
+                        std::function<double(double)> clock) {
     begin_fade();
-    kinematics_.set_rest(clip->mean());
+    clip_ = std::move(clip);
+    clip_time_ = std::move(clock);
+    const body::Posture& mean = clip_->clip().mean();
+    kinematics_.set_rest(mean);
     kinematics_.set_damping(kClipDamping);
     // Sticks alone have no posture that goes with them.
-    kinematics_.set_rest_pull(clip->has_own_tips() ? body::InverseKinematicsOptions().rest_pull
-                                                   : kClipPull);
-    solution_ = clip->mean();
-    clip_ = std::make_unique<body::ClipFollower>(std::move(clip), skeleton_);
-    clip_start_ = time();
+    kinematics_.set_rest_pull(
+        clip_->clip().has_own_tips() ? body::InverseKinematicsOptions().rest_pull : kClipPull);
+    solution_ = mean;
     settle(time());
 }
 
+void Simulation::play(std::shared_ptr<const body::PlayableClip> clip,
+                      std::function<double(double)> clock) {
+    played_ = std::move(clip);
+    follow({played_, &played_->follower()}, std::move(clock));
+    move_places();
+}
+
 void Simulation::begin_with(std::shared_ptr<const body::Clip> clip, double start) {
-    follow(std::move(clip));
-    clip_start_ = time() - start;
-    settle(time());
-    fade_start_ = -1e9;
     const double now = time();
+    played_.reset();
+    follow(std::make_shared<body::ClipFollower>(std::move(clip), skeleton_),
+           [begin = now - start](double t) { return t - begin; });
+    fade_start_ = -1e9;
     for (const double t : {now - h_, now, now + h_}) {
         fill_target(t);
         if (t <= now) target_.advance();
@@ -221,6 +232,8 @@ void Simulation::begin_with(std::shared_ptr<const body::Clip> clip, double start
 void Simulation::follow_strokes() {
     begin_fade();
     clip_.reset();
+    played_.reset();
+    move_places();
     kinematics_.set_rest(strokes_rest_);
     kinematics_.set_damping(body::InverseKinematicsOptions().damping);
     kinematics_.set_rest_pull(body::InverseKinematicsOptions().rest_pull);
@@ -259,14 +272,19 @@ void Simulation::correct_by_tips() {
     kinematics_.lean(wish, actual_, wanted_, target_.now);
 }
 
+/// Whether a tip is asked to be in the head.
+bool Simulation::in_head(Hand hand, double t) const {
+    if (!clip_) return path(hand).in_head(t);
+    return played_ && played_->in_head(clip_time_(t), hand);
+}
+
 void Simulation::mark_contacts() {
     bool strikes = false;
     for (const Hand hand : kHands) {
-        const body::StrokePath& p = path(hand);
-        const auto in_head = [&](double offset) { return p.in_head(time() + offset); };
-        strikes = strikes || in_head(-h_) || in_head(0.0) || in_head(h_);
-        target_.loose[sticks_[index(hand)]] = in_head(0.0) || in_head(kLooseBefore) ||
-                                              in_head(-kLooseAfter) || in_head(-0.5 * kLooseAfter);
+        const auto in = [&](double offset) { return in_head(hand, time() + offset); };
+        strikes = strikes || in(-h_) || in(0.0) || in(h_);
+        target_.loose[sticks_[index(hand)]] =
+            in(0.0) || in(kLooseBefore) || in(-kLooseAfter) || in(-0.5 * kLooseAfter);
     }
     std::fill(target_.strikes.begin(), target_.strikes.end(), strikes);
 }

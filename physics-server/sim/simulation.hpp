@@ -1,5 +1,5 @@
-// The percussionist at the drum: what is asked for (strokes), what is simulated (body, sticks,
-// head), what comes out (contacts, poses).
+// The percussionist at the drum: what is asked for (strokes, a clip), what is simulated (body,
+// sticks, head), what comes out (contacts, poses).
 //
 // Each step of h: the paths of both tips at t + h -> inverse kinematics -> targets at t + h; the
 // controller drives ODE's bodies by the targets at t - h, t and t + h; where a stick is near the
@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "body/inverse_dynamics.hpp"
 #include "body/inverse_kinematics.hpp"
 #include "body/joint_strength.hpp"
+#include "body/playable_clip.hpp"
 #include "body/posture.hpp"
 #include "body/stroke_path.hpp"
 #include "sim/contact_event.hpp"
@@ -68,11 +70,14 @@ class Simulation {
     }
 
     // How the body is moved. All may be called between any two steps; targets go over from one to
-    // the other smoothly. Setting the learnt inverse, and following, takes some 50 ms.
+    // the other smoothly. Setting the learnt inverse takes some 50 ms, and so does begin_with().
 
-    /// Follows a clip (of this body's skeleton), from its beginning on.
-    void follow(std::shared_ptr<const body::Clip> clip);
-    /// The same, with the body put where the clip is at `start` [s], moving as it does.
+    /// Plays a clip (of this body's skeleton), the head where the clip strikes. `clock` says where
+    /// in the clip [s] it is at a simulated time; before its beginning it waits there. Takes
+    /// well under a millisecond.
+    void play(std::shared_ptr<const body::PlayableClip> clip, std::function<double(double)> clock);
+    /// Follows a clip as it is, with the body put where the clip is at `start` [s], moving as it
+    /// does; the head stays.
     void begin_with(std::shared_ptr<const body::Clip> clip, double start = 0.0);
     /// Follows the strokes asked for again.
     void follow_strokes();
@@ -139,6 +144,9 @@ class Simulation {
     bool aim(body::Hand hand, const body::Aim& aimed);
     [[nodiscard]] body::ArmTarget arm_target(body::Hand hand, double t) const;
     [[nodiscard]] body::ArmTargets arm_targets(double t);
+    void follow(std::shared_ptr<const body::ClipFollower> clip,
+                std::function<double(double)> clock);
+    [[nodiscard]] bool in_head(body::Hand hand, double t) const;
     void fill_target(double t);
     void hold_to_strength();
     void fade(double t);
@@ -176,8 +184,9 @@ class Simulation {
     Target target_;
     body::Posture solution_;  ///< of inverse kinematics
     body::Placement solved_, actual_;
-    std::unique_ptr<body::ClipFollower> clip_;
-    double clip_start_ = 0.0;  ///< simulated time of its beginning [s]
+    std::shared_ptr<const body::ClipFollower> clip_;
+    std::shared_ptr<const body::PlayableClip> played_;  ///< that it is of, if it is played
+    std::function<double(double)> clip_time_;           ///< where in it [s]
     body::Tracking tracking_ = body::Tracking::tips;
     double cartesian_gain_ = 3.0;
     body::ArmTargets asked_, asked_next_;  ///< of the tips at time() and a step later

@@ -41,8 +41,12 @@ Vector3 Simulation::offset(Hand hand) const {
 }
 
 /// The head stands where the sticks meet it with the arms as they are at rest: who plays further in
-/// stands nearer.
+/// stands nearer. Or where a clip strikes it.
 Vector3 Simulation::head_goal() const {
+    if (played_ && !played_->strokes().empty()) {
+        const Vector3 touch = played_->place() - skeleton_.stick.tip_radius * Vector3::UnitZ();
+        return touch - 0.5 * (offset(Hand::left) + offset(Hand::right));
+    }
     const auto mean_x = [](const Vector3& left, const Vector3& right) {
         return 0.5 * (left.x() + right.x());
     };
