@@ -233,6 +233,23 @@ TEST_CASE("a hand laid on a ringing drum brings it to rest, and leaves it withou
     }
 }
 
+TEST_CASE("a hand on a drum at rest damps the next stroke alike, whatever was set meanwhile") {
+    const auto damped = [](auto set) {
+        ModalDrum drum({}, kRate);
+        drum.lay(0, {});
+        set(drum);
+        drum.strike(0, {});
+        std::vector<double> sound(4800);
+        drum.process(std::span(sound));
+        return sound;
+    };
+    const auto reference = damped([](ModalDrum&) {});
+    CHECK(damped([](ModalDrum& drum) { drum.reset(); }) == reference);
+    CHECK(damped([](ModalDrum& drum) { drum.tune(Membrane{}, Decay{}); }) == reference);
+    CHECK(damped([](ModalDrum& drum) { drum.set_pickup(0, {}); }) == reference);
+    CHECK(damped([](ModalDrum& drum) { drum.mute(1.0); }) == reference);
+}
+
 TEST_CASE("more strokes than mallets and than places in the queue do no harm") {
     ModalDrum drum({}, kRate);
     for (std::size_t i = 0; i < ModalDrum::kQueue; ++i) {
