@@ -183,15 +183,20 @@ void ModalDrum::listen(modal::Pickup::Hears hears, const pdx::Arguments& a) {
 }
 
 void ModalDrum::hand(const pdx::Arguments& a) {
-    drum_.lay(counted(a.number(0)), {a.number(1), a.number(2), a.number(3), a.number(4)});
+    lay(counted(a.number(0)), {a.number(1), a.number(2), a.number(3), a.number(4)});
 }
 
 void ModalDrum::lift(const pdx::Arguments& a) {
-    for (std::size_t i = 0; i < modal::StruckHead::kMaxHands; ++i) {
+    for (std::size_t i = 0; i < hands_.size(); ++i) {
         if (!a.has(0) || counted(a.number(0)) == i) {
-            drum_.lay(i, {.pressure = 0.0});
+            lay(i, {.pressure = 0.0});
         }
     }
+}
+
+void ModalDrum::lay(std::size_t i, const modal::Hand& hand) {
+    drum_.lay(i, hand);
+    hands_[i] = hand;
 }
 
 void ModalDrum::follow(const pdx::Arguments& a) {
@@ -254,6 +259,11 @@ void ModalDrum::prepare(double sample_rate, std::size_t) {
     if (sample_rate != drum_.head().sample_rate()) {
         drum_ = modal::ModalDrum(drum_.settings(), sample_rate);
         drum_.force_at(force_at_.r, force_at_.theta);
+        for (std::size_t i = 0; i < hands_.size(); ++i) {
+            if (hands_[i]) {
+                drum_.lay(i, *hands_[i]);
+            }
+        }
         if (follows_) {
             follow_place();
         }

@@ -70,6 +70,27 @@ TEST_CASE("two strokes within one block are two, each at its own sample") {
     CHECK(std::mismatch(one.begin(), one.end(), two.begin()).first - one.begin() == 1014);
 }
 
+TEST_CASE("a hand laid before signals are on lies there at whatever rate they come") {
+    for (const double rate : {44100.0, 48000.0, 96000.0}) {
+        const auto rendered = [rate](bool before) {
+            FakeHost host(rate);
+            auto& drum = *create(host);
+            const auto lay = [&] {
+                drum.message("hand", {1.0, 0.1, 0.0});
+                drum.message("hand", {2.0, 0.2, 1.0});
+                drum.message("lift", {2.0});
+            };
+            before ? lay() : host.start_dsp();
+            before ? host.start_dsp() : lay();
+            drum.message("strike", {2.0});
+            host.advance_to(0.1);
+            return drum.output(0);
+        };
+        CAPTURE(rate);
+        CHECK(rendered(true) == rendered(false));
+    }
+}
+
 TEST_CASE("every bad message gets one error and changes nothing") {
     const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
     const std::vector<std::pair<std::string, std::vector<Atom>>> bad = {
