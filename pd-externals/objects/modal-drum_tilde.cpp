@@ -170,7 +170,7 @@ void ModalDrum::pickup_pressure(const pdx::Arguments& a) {
     pickup.hears = modal::Pickup::Hears::pressure;
     pickup.elevation = a.number(0);
     pickup.theta = a.number(1);
-    drum_.set_pickup(counted(a.number(2)), pickup);
+    place(counted(a.number(2)), pickup);
 }
 
 void ModalDrum::listen(modal::Pickup::Hears hears, const pdx::Arguments& a) {
@@ -178,8 +178,12 @@ void ModalDrum::listen(modal::Pickup::Hears hears, const pdx::Arguments& a) {
     pickup.hears = hears;
     pickup.r = a.number(0);
     pickup.theta = a.number(1);
-    drum_.set_pickup(counted(a.number(2)), pickup);
-    placed_pickups_ = true;
+    place(counted(a.number(2)), pickup);
+}
+
+void ModalDrum::place(std::size_t i, const modal::Pickup& pickup) {
+    drum_.set_pickup(i, pickup);
+    placed_pickups_.at(i) = true;
 }
 
 void ModalDrum::hand(const pdx::Arguments& a) {
@@ -307,15 +311,17 @@ void ModalDrum::tune(const modal::Body& body, const modal::Loss& loss) {
 
 void ModalDrum::retune() {
     const double radius = drum_.head().resonator().radius();
-    if (placed_pickups_ || radius == pickups_of_) {
+    if (radius == pickups_of_) {
         return;
     }
     pickups_of_ = radius;
     for (std::size_t i = 0; i < drum_.settings().pickups.size(); ++i) {
-        auto pickup = drum_.settings().pickups[i];
-        pickup.r = 0.6 * radius;
-        pickup.theta = 2.0 + static_cast<double>(i);
-        drum_.set_pickup(i, pickup);
+        if (!placed_pickups_.at(i)) {
+            auto pickup = drum_.settings().pickups[i];
+            pickup.r = 0.6 * radius;
+            pickup.theta = 2.0 + static_cast<double>(i);
+            drum_.set_pickup(i, pickup);
+        }
     }
     drum_.force_at(force_at_.r, force_at_.theta);
 }

@@ -66,6 +66,7 @@ class ModalDrum : public pdx::Object {
     void tune(const modal::Body& body, const modal::Loss& loss);
     void retune();
     void listen(modal::Pickup::Hears hears, const pdx::Arguments& a);
+    void place(std::size_t i, const modal::Pickup& pickup);
     void lay(std::size_t i, const modal::Hand& hand);
     void follow_place();
     void play(modal::Stroke stroke, const Place& place);
@@ -77,7 +78,7 @@ class ModalDrum : public pdx::Object {
     std::optional<Place> position_, follows_;
     Place force_at_{0.0, 0.0};
     std::array<std::optional<modal::Hand>, modal::StruckHead::kMaxHands> hands_;
-    bool placed_pickups_ = false;
+    std::array<bool, modal::ModalDrum::kMaxPickups> placed_pickups_{};
     double pickups_of_ = 0.0;  // radius they were placed on [m]
     pdx::TimedQueue<modal::Stroke, modal::ModalDrum::kQueue> waiting_;
 };
