@@ -116,6 +116,27 @@ TEST_CASE("seen from the player, leaning and turning change nothing") {
     CHECK(test::score(truths, found, 0.025).f() > 0.95);
 }
 
+TEST_CASE("a frame that was out of sight and is back elsewhere makes no strike") {
+    FakeHost host;
+    FakeObject& features = create(host);
+    features.message("frame", {2.0});
+    features.message("plane", {0.0, 0.0, 0.0, 0.0, 0.0, 1.0});
+    const auto still = [](double time, double z) {
+        return test::TimedPose{time, {{0.05, 0.0, z}, linear::quaternion_exp({1e-3 * time, 0, 0})}};
+    };
+    for (int i = 0; i < 240; ++i) {
+        const double time = i / 120.0;
+        const bool seen = i < 40 || i >= 120;
+        send_pose(host, features, 1, still(time, 0.15));
+        if (seen) {
+            send_pose(host, features, 2, still(time + 0.004, i < 40 ? 0.0 : 0.2));
+        }
+    }
+    host.advance_to(3.0);
+    CHECK(host.errors().empty());
+    CHECK(from(features, 0).empty());
+}
+
 TEST_CASE("taps on a real surface make the plane") {
     const test::Trial trial = quiet_trial();
     FakeHost host;
