@@ -117,8 +117,12 @@ class GestureFeatures : public Object {
         tell_plane(fitted.residual);
     }
     void reset(const Arguments&) {
-        const auto settings = gestures_.settings();
+        auto settings = gestures_.settings();
+        if (settings.detection == motion::Detection::kPlane) {
+            settings.detection = motion::Detection::kFree;
+        }
         gestures_ = motion::StickGestures(settings);
+        calibrating_ = false;
         strikes_.clear();
     }
     void print(const Arguments&) {

@@ -159,6 +159,34 @@ TEST_CASE("taps on a real surface make the plane") {
     CHECK(std::abs((trial.world_from_drum.inverse() * middle).z()) < 0.03);
 }
 
+TEST_CASE("after a reset strikes are told from the movement alone, and no tap is kept") {
+    const test::Trial trial = quiet_trial();
+    const auto played = [&](const std::vector<std::pair<std::string, std::vector<Atom>>>& before) {
+        FakeHost host;
+        FakeObject& features = create(host);
+        for (const auto& [selector, atoms] : before) {
+            features.message(selector, atoms);
+        }
+        features.sent();
+        for (const auto& pose : trial.poses) {
+            send_pose(host, features, 1, pose);
+        }
+        CHECK(host.errors().empty());
+        std::vector<double> told;
+        for (const Sent& sent : features.sent()) {
+            if (sent.selector == "strike" || sent.selector == "taps") {
+                told.push_back(sent.time);
+            }
+        }
+        return told;
+    };
+    const auto free = played({});
+    CHECK(free.size() > 10);
+    CHECK(played({{"plane", {0.0, 0.0, 0.0, 0.0, 0.0, 1.0}}, {"reset", {}}}) == free);
+    CHECK(played({{"calibrate", {1.0}}, {"reset", {}}}) == free);
+    CHECK(played({{"detect", {"none"}}, {"reset", {}}}).empty());
+}
+
 TEST_CASE("a hand that presses in from behind damps as far as it presses") {
     FakeHost host;
     FakeObject& features = create(host);
