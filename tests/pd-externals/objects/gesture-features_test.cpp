@@ -221,6 +221,8 @@ TEST_CASE("bad messages get one error each and what was set stays") {
         {"fit", {}},
         {"calibrate", {0.0}},
         {"tip", {1.0}},
+        {"tip", {1.0, 0.3}},
+        {"tip", {2.0, 0.3, 0.0}},
         {"tip", {3.0, 0.0, 0.0, 0.0}},
         {"window", {-1.0}},
     };
