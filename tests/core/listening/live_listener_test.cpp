@@ -135,3 +135,17 @@ TEST_CASE("silence and what is no number do no harm") {
     listen(listener, std::vector<float>(4800, NAN), 48000.0, 64);
     CHECK(listen(listener, strokes(48000.0, 8), 48000.0, 64).size() >= 8);
 }
+
+TEST_CASE("a moment of samples beyond all bounds is soon forgotten") {
+    for (const float huge : {1e3F, 1e15F, 1e25F, 3e38F, INFINITY}) {
+        LiveListener listener({}, learnt_drums());
+        std::vector<float> burst(64, huge);
+        for (std::size_t n = 0; n < burst.size(); n += 2) burst[n] = -huge;
+        listen(listener, burst, 48000.0, 64);
+        const auto told = listen(listener, strokes(48000.0, 8), 48000.0, 64);
+        CAPTURE(huge);
+        CHECK(std::count_if(told.begin(), told.end(), [](const Told& t) {
+                  return t.at > 0.5 && t.event.kind == LiveEvent::Kind::attack;
+              }) == 8);
+    }
+}
