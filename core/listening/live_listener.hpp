@@ -67,7 +67,11 @@ class LiveListener {
     void learn(std::size_t own, int strokes) noexcept;
     [[nodiscard]] bool learning() const { return left_to_learn_ > 0; }
     [[nodiscard]] const OwnDrums& own_drums() const { return own_; }
-    void set_own_drums(const OwnDrums& drums) { own_ = drums; }
+    /// Ends learning.
+    void set_own_drums(const OwnDrums& drums) {
+        own_ = drums;
+        left_to_learn_ = 0;
+    }
     void set_sensitivity(float novelty) { settings_.sensitivity = novelty; }
     void reset() noexcept;
 

@@ -110,6 +110,20 @@ TEST_CASE("drums learnt from four strokes each are told apart, and a drum not le
     CHECK(own(listen(listener, kicks, 48000.0, 64)) == 6);
 }
 
+TEST_CASE("other drums end the learning, which touches none of them") {
+    LiveListener listener({}, learnt_drums());
+    OwnDrums drums;
+    listener.set_own_drums(drums);
+    listener.learn(*drums.named("low"), 3);
+    OwnDrums others;
+    OwnDrum& other = others[*others.named("other")];
+    other.strokes = 4;
+    listener.set_own_drums(others);
+    CHECK(!listener.learning());
+    listen(listener, strokes(48000.0, 6), 48000.0, 64);
+    CHECK(to_text(listener.own_drums()) == to_text(others));
+}
+
 TEST_CASE("an echo far softer than the stroke is not learnt as one, nor told as that drum") {
     LiveListener listener({}, learnt_drums());
     OwnDrums drums;
