@@ -86,6 +86,20 @@ TEST_CASE("a drum learnt, saved, forgotten and loaded is known again") {
     std::remove(file.c_str());
 }
 
+TEST_CASE("a rate it cannot hear at is refused each time, and the one before stays") {
+    FakeHost host;
+    FakeObject& object = make(host);
+    CHECK(host.errors().empty());
+    for (int time = 0; time < 2; ++time) {
+        host.start_dsp(64, 16);
+        REQUIRE(host.errors().size() == 1);
+    }
+    host.start_dsp();
+    click(host, object);
+    CHECK(host.errors().empty());
+    CHECK(!object.sent().empty());
+}
+
 TEST_CASE("files that are not there or are no drums are one clear error, and nothing is lost") {
     FakeHost host;
     FakeObject& object = make(host);
