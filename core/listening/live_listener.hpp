@@ -72,6 +72,12 @@ class LiveListener {
         own_ = drums;
         left_to_learn_ = 0;
     }
+    /// The drums of another, and what it has yet to learn of them.
+    void take_drums(const LiveListener& other) {
+        own_ = other.own_;
+        learning_ = other.learning_;
+        left_to_learn_ = other.left_to_learn_;
+    }
     void set_sensitivity(float novelty) { settings_.sensitivity = novelty; }
     void reset() noexcept;
 

@@ -95,7 +95,7 @@ class DrumListen : public Object {
         auto settings = settings_;
         settings.rate = sample_rate;
         auto other = std::make_unique<listening::LiveListener>(settings, listening::learnt_drums());
-        other->set_own_drums(listener_->own_drums());
+        other->take_drums(*listener_);
         listener_ = std::move(other);
         settings_ = settings;
         heard_ = 0;
