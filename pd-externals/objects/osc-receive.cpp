@@ -160,7 +160,7 @@ class OscReceive : public Object {
                 playout_.add(std::move(delivery));
                 continue;
             }
-            receiver_->give_back(std::move(delivery));
+            give_back(std::move(delivery));
         }
         play();
     }
@@ -170,12 +170,17 @@ class OscReceive : public Object {
             for (const auto& message : delivery->messages) {
                 let_out(message);
             }
-            if (receiver_) {
-                receiver_->give_back(std::move(delivery));
-            }
+            give_back(std::move(delivery));
         }
         if (playout_.next() < tick_end_) {
             play_clock_.at(playout_.next());
+        }
+    }
+
+    /// What was sent out may have closed the port.
+    void give_back(std::unique_ptr<io::Delivery> delivery) {
+        if (receiver_) {
+            receiver_->give_back(std::move(delivery));
         }
     }
 
