@@ -92,6 +92,10 @@ void OscReceiver::run() {
         }
         publish_status();
         obey_commands();
+        if (ending && !last_.empty()) {
+            often_.clear();
+            to_send_.push_back(std::move(last_));
+        }
         send_what_waits(monotonic_seconds());
         search(monotonic_seconds());
         for (std::unique_ptr<Delivery> done; returned_.pop(done);) {

@@ -51,6 +51,8 @@ class OscReceiver {
     void send(Bytes packet);
     /// Now and every second, until told otherwise by another, or by an empty one.
     void send_often(Bytes packet);
+    /// This is sent last of all; then the receiver has to be destroyed.
+    void end_with(Bytes packet) noexcept { last_ = std::move(packet); }
     /// Looks for servers on this machine's networks for 3 s: each comes as a delivery.
     void find();
 
@@ -79,6 +81,7 @@ class OscReceiver {
     OscInbox inbox_;
     int waker_;
     std::atomic<bool> ending_{false};
+    Bytes last_;  // the thread's once ending_
     std::array<std::atomic<double>, kNumbers> status_{};
     SpscRing<std::unique_ptr<Delivery>> deliveries_{kMostWaiting};
     SpscRing<std::unique_ptr<Delivery>> returned_{4 * kMostWaiting};

@@ -110,8 +110,10 @@ class OscReceive : public Object {
         keep_subscribed();
     }
 
-    void close() {
-        leave();
+    void close() noexcept {
+        if (receiver_ && subscribed_) {
+            receiver_->end_with(subscription("/unsubscribe", false));
+        }
         receiver_.reset();
     }
 

@@ -186,6 +186,31 @@ TEST_CASE("subscribing asks the server, leaving tells it, and so does going away
     CHECK(host.errors().empty());
 }
 
+TEST_CASE("going away with more to send than there is room for, it still tells the server") {
+    for (int i = 0; i < 5; ++i) {
+        FakeHost host;
+        auto& object = *create(host);
+        io::UdpSocket server("127.0.0.1", 0);
+        const auto farewell = osc_message("/unsubscribe", "i", {osc_int(here(object).port)});
+        object.message("subscribe", {"127.0.0.1", static_cast<double>(server.port())});
+        OscBytes last;
+        const auto read = [&] {
+            return server.receive([&](auto bytes, const io::Endpoint&, double) {
+                last.assign(bytes.begin(), bytes.end());
+            });
+        };
+        for (int sent = 0; sent < 20000 && host.errors().empty(); ++sent) {
+            object.message("send", {"/play"});
+            while (sent % 100 == 0 && read()) {
+            }
+        }
+        host.destroy(&object);
+        while (read()) {
+        }
+        CHECK(last == farewell);
+    }
+}
+
 TEST_CASE("every bad message to it gets one error and changes nothing") {
     FakeHost host;
     auto& object = *create(host);
