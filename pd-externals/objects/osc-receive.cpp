@@ -9,6 +9,7 @@
 #include "io/monotonic.hpp"
 #include "io/osc_receiver.hpp"
 #include "io/playout.hpp"
+#include "io/udp_socket.hpp"
 #include "pdx/object.hpp"
 
 namespace {
@@ -24,20 +25,18 @@ class OscReceive : public Object {
           play_clock_(*this, [this] { play(); }),
           status_clock_(*this, [this] { tell_each_second(); }),
           port_(creation.integer(0)) {
-        open();
+        try {
+            open(address_, port_);
+        } catch (const std::exception& e) {
+            error(e.what());  // until it is told of a port that it can have
+        }
         tick_clock_.delay(0.0);
         status_clock_.delay(1.0);
     }
     ~OscReceive() override { close(); }
 
-    void port(const Arguments& a) {
-        port_ = a.integer(0);
-        open();
-    }
-    void listen(const Arguments& a) {
-        address_ = a.word(0);
-        open();
-    }
+    void port(const Arguments& a) { open(address_, a.integer(0)); }
+    void listen(const Arguments& a) { open(a.word(0), port_); }
     void latency(const Arguments& a) { playout_.set_latency(a.number(0)); }
 
     void subscribe(const Arguments& a) {
@@ -98,14 +97,37 @@ class OscReceive : public Object {
     }
 
   private:
-    void open() {
-        close();
-        try {
-            receiver_ = std::make_unique<io::OscReceiver>(address_, port_);
-        } catch (const std::exception& e) {
-            error(e.what());
+    /// Listens there instead. Where it cannot it throws, and listens where it did.
+    void open(const std::string& address, int port) {
+        if (receiver_ && receiver_->port() == port) {
+            reopen(address);
+        } else {
+            auto other = std::make_unique<io::OscReceiver>(address, port);
+            close();
+            begin(std::move(other));
+        }
+        address_ = address;
+        port_ = port;
+    }
+
+    /// By another address: two cannot have the same port.
+    void reopen(const std::string& address) {
+        if (address == address_) {
             return;
         }
+        const int port = receiver_->port();
+        const io::UdpSocket possible(address, 0);  // while the other still listens
+        close();
+        try {
+            begin(std::make_unique<io::OscReceiver>(address, port));
+        } catch (const std::exception&) {
+            begin(std::make_unique<io::OscReceiver>(address_, port));
+            throw;
+        }
+    }
+
+    void begin(std::unique_ptr<io::OscReceiver> receiver) {
+        receiver_ = std::move(receiver);
         receiver_->set_server(host_, server_port_);
         keep_subscribed();
     }

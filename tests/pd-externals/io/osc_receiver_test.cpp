@@ -96,7 +96,8 @@ TEST_CASE("a port that is taken is refused with its number and the reason") {
     } catch (const std::runtime_error& e) {
         reason = e.what();
     }
-    CHECK(reason == "port " + std::to_string(first.port()) + ": Address already in use");
+    CHECK(reason == "cannot listen on 127.0.0.1 port " + std::to_string(first.port()) +
+                        ": Address already in use");
     CHECK_THROWS_WITH(OscReceiver("nowhere", 0),
                       "address nowhere: expected four numbers, as 0.0.0.0");
 }

@@ -145,8 +145,9 @@ TEST_CASE("a port that is taken is one error; the object lives and takes another
     const double taken = told(first, "port");
     auto* const second = create(host, {taken});
     REQUIRE(second);
-    CHECK(host.errors() == std::vector<std::string>{"osc-receive: port " + to_string(Atom(taken)) +
-                                                    ": Address already in use"});
+    const std::string reason =
+        "cannot listen on 0.0.0.0 port " + to_string(Atom(taken)) + ": Address already in use";
+    CHECK(host.errors() == std::vector<std::string>{"osc-receive: " + reason});
     second->message("send", {"/play"});
     CHECK(host.errors() ==
           std::vector<std::string>{"osc-receive: send: it has no port: send it port N"});
@@ -238,7 +239,39 @@ TEST_CASE("every bad message to it gets one error and changes nothing") {
     object.message("listen", {"no.such.address"});
     CHECK(host.errors() ==
           std::vector<std::string>{
-              "osc-receive: address no.such.address: expected four numbers, as 0.0.0.0"});
+              "osc-receive: listen: address no.such.address: expected four numbers, as 0.0.0.0"});
+    CHECK(told(object, "port") == port);
+}
+
+TEST_CASE("told to listen where it cannot, it says so and listens where it did") {
+    FakeHost host;
+    auto& object = *create(host);
+    const io::UdpSocket sender("127.0.0.1", 0), taken("127.0.0.1", 0);
+    const double port = told(object, "port");
+    const auto refused = [&](const char* selector, const Atom& atom) {
+        object.message(selector, {atom});
+        const auto errors = host.errors();
+        REQUIRE(errors.size() == 1);
+        CHECK(told(object, "port") == port);
+        sender.send(here(object), osc_message("/a", "", {}));
+        CHECK(wait_for(host, object, 1).size() == 1);
+        return errors[0];
+    };
+    const auto in_use = [](double number) {
+        return " port " + to_string(Atom(number)) + ": Address already in use";
+    };
+    const std::string foreign =
+        "osc-receive: listen: cannot listen on 203.0.113.5: Cannot assign requested address";
+    const double other = taken.port();
+    CHECK(refused("port", other) == "osc-receive: port: cannot listen on 0.0.0.0" + in_use(other));
+    CHECK(refused("listen", "203.0.113.5") == foreign);
+    object.message("port", {port});
+    CHECK(refused("listen", "203.0.113.5") == foreign);
+    object.message("listen", {"127.0.0.1"});
+    CHECK(host.errors().empty());
+    const io::UdpSocket in_the_way("127.0.0.2", static_cast<int>(port));
+    CHECK(refused("listen", "0.0.0.0") ==
+          "osc-receive: listen: cannot listen on 0.0.0.0" + in_use(port));
 }
 
 TEST_CASE("many objects come and go while packets arrive") {
