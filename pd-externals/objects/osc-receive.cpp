@@ -40,6 +40,9 @@ class OscReceive : public Object {
     void latency(const Arguments& a) { playout_.set_latency(a.number(0)); }
 
     void subscribe(const Arguments& a) {
+        if (a.word(0) != host_ || a.integer(1) != server_port_) {
+            leave();
+        }
         host_ = a.word(0);
         server_port_ = a.integer(1);
         subscribed_ = true;

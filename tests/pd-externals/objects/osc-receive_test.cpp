@@ -187,6 +187,29 @@ TEST_CASE("subscribing asks the server, leaving tells it, and so does going away
     CHECK(host.errors().empty());
 }
 
+TEST_CASE("subscribing to another server, or at another port, leaves the one before") {
+    FakeHost host;
+    auto& object = *create(host);
+    io::UdpSocket first("127.0.0.1", 0), second("127.0.0.1", 0);
+    const auto port = osc_int(here(object).port);
+    const auto subscribe = osc_message("/subscribe", "is", {port, osc_text("sound")});
+    const auto unsubscribe = osc_message("/unsubscribe", "i", {port});
+    const auto to = [&](const io::UdpSocket& server) {
+        object.message("subscribe", {"127.0.0.1", static_cast<double>(server.port())});
+    };
+    to(first);
+    CHECK(received(first, 1) == std::vector<OscBytes>{subscribe});
+    to(first);
+    CHECK(received(first, 1) == std::vector<OscBytes>{subscribe});
+    to(second);
+    CHECK(received(first, 1) == std::vector<OscBytes>{unsubscribe});
+    CHECK(received(second, 1) == std::vector<OscBytes>{subscribe});
+    object.message("unsubscribe");
+    CHECK(received(second, 1) == std::vector<OscBytes>{unsubscribe});
+    to(first);
+    CHECK(received(first, 1) == std::vector<OscBytes>{subscribe});
+}
+
 TEST_CASE("going away with more to send than there is room for, it still tells the server") {
     for (int i = 0; i < 5; ++i) {
         FakeHost host;
