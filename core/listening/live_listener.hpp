@@ -8,6 +8,7 @@
 // The constructor takes all memory; process() does not allocate, lock or throw. One thread.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -48,12 +49,12 @@ class LiveListener {
     /// Throws std::invalid_argument for a rate that it cannot hear at.
     LiveListener(const LiveSettings& settings, DrumModel model);
 
-    /// What is no number is heard as silence. The next samples, as many as you like; tell(event,
-    /// samples) for each event, after so many of them.
+    /// What is no number is heard as silence, and nothing as louder than kLoudest. The next
+    /// samples, as many as you like; tell(event, samples) for each event, after so many of them.
     template <class Tell>
     void process(std::span<const float> samples, Tell tell) noexcept {
         for (std::size_t n = 0; n < samples.size(); ++n) {
-            waiting_[filled_] = std::isfinite(samples[n]) ? static_cast<double>(samples[n]) : 0.0;
+            waiting_[filled_] = heard(samples[n]);
             if (++filled_ < waiting_.size()) continue;
             filled_ = 0;
             const std::size_t count = next_frame();
@@ -66,13 +67,27 @@ class LiveListener {
     void learn(std::size_t own, int strokes) noexcept;
     [[nodiscard]] bool learning() const { return left_to_learn_ > 0; }
     [[nodiscard]] const OwnDrums& own_drums() const { return own_; }
-    void set_own_drums(const OwnDrums& drums) { own_ = drums; }
+    /// Ends learning.
+    void set_own_drums(const OwnDrums& drums) {
+        own_ = drums;
+        left_to_learn_ = 0;
+    }
+    /// The drums of another, and what it has yet to learn of them.
+    void take_drums(const LiveListener& other) {
+        own_ = other.own_;
+        learning_ = other.learning_;
+        left_to_learn_ = other.left_to_learn_;
+    }
     void set_sensitivity(float novelty) { settings_.sensitivity = novelty; }
     void reset() noexcept;
 
   private:
-    static constexpr std::size_t kKept = 32;  ///< frames
+    static constexpr std::size_t kKept = 32;   ///< frames
+    static constexpr float kLoudest = 100.0F;  ///< 40 dB above full scale
 
+    static double heard(float sample) {
+        return std::isfinite(sample) ? std::clamp(sample, -kLoudest, kLoudest) : 0.0;
+    }
     std::size_t next_frame() noexcept;
     void look_for_attack(float novelty) noexcept;
     void judge() noexcept;

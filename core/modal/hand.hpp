@@ -4,8 +4,11 @@
 // each mode by its shape there: it damps what moves under it, and stiffens it, so that the pitch
 // rises. Soft tissue grows stiffer in proportion to the load it bears (Fung, "Biomechanics"): k is
 // the pressure over kFleshDepth. Its resistance is about the wave impedance of soft tissue, reached
-// as the skin comes to lie against the head. Depth, impedance and the pressure that seats the skin
-// are our choice, of the right order of magnitude; not measured on a drum.
+// as the skin comes to lie against the head. Flesh that is held still gives way: its stress relaxes
+// (Fung's reduced relaxation function), here with one time constant, as a spring in series with a
+// damper does, a Maxwell body. So a hand that came to lie on a swinging head ends at rest where the
+// head does. Depth, impedance, relaxation and the pressure that seats the skin are our choice, of
+// the right order of magnitude; not measured on a drum.
 //
 // Values only: may be used anywhere.
 #pragma once
@@ -28,6 +31,9 @@ struct Hand {
 /// Throws std::invalid_argument unless r and pressure (up to 1e6) are finite and 0 or more, area is
 /// above 0 and at most 0.1, theta finite.
 void check(const Hand& hand);
+
+/// In which the stress of flesh that is held still falls to 1/e [s].
+constexpr double kFleshRelaxation = 0.05;
 
 /// A hand is felt as one to four round spots beside each other.
 struct HandPoints {

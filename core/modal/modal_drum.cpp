@@ -142,7 +142,7 @@ void ModalDrum::reset() noexcept {
     since_check_ = 0;
     ahead_size_ = heard_ = 0;
     faded_ = kChunk;
-    coupled_ = false;
+    coupled_ = head_->coupled();
 }
 
 /// Before what is heard changes at once: what would have been heard fades out.
@@ -204,7 +204,7 @@ void ModalDrum::weigh_pickups() noexcept {
         }
         head_->listen(p, ear.weights);
     }
-    coupled_ = !at_rest_ && head_->coupled();
+    coupled_ = head_->coupled();
     since_check_ = 0;
 }
 

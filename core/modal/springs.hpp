@@ -5,7 +5,9 @@
 //     F = k (e + y / 2) + r y / h,     e the spring's elongation, which grows by y.
 // So (C + 1/D) F = y_free + k e / D with D = k / 2 + r / h: symmetric and positive, by Cholesky.
 // The work F y is the change of k e^2 / 2 plus what the damper takes, r y^2 / h: passive, whatever
-// k and r. What remains at other ports is the same head with a smaller compliance (condense()).
+// k and r. A spring that relaxes (a damper of k tau in series: e' = y' - e / tau) does so after the
+// step, e becoming e exp(-h / tau), which only takes energy. What remains at other ports is the
+// same head with a smaller compliance (condense()).
 //
 // No function allocates or throws.
 #pragma once

@@ -42,6 +42,9 @@ double held_within(double value, double limit) {
 
 }  // namespace
 
+StruckHead::Pace::Pace(std::size_t modes, double step)
+    : period(step), flesh_keeps(std::exp(-step / kFleshRelaxation)), bank(modes, step) {}
+
 StruckHead::StruckHead(Resonator resonator, double sample_rate)
     : sample_rate_(valid_rate(sample_rate)),
       resonator_(std::move(resonator)),

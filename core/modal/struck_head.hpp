@@ -145,9 +145,10 @@ class StruckHead {
     };
     /// All that is another for steps of another length.
     struct Pace {
-        Pace(std::size_t modes, double step) : period(step), bank(modes, step) {}
+        Pace(std::size_t modes, double step);
 
-        double period;  ///< [s]
+        double period;       ///< [s]
+        double flesh_keeps;  ///< of its elongation, a step
         ModeBank bank;
         Foresight sight{kPorts, kPorts + kMaxPickups};
         std::size_t strikers = 0;  ///< foreseen

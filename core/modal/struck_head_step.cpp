@@ -182,6 +182,7 @@ void StruckHead::move(Pace& pace, std::span<Striker> strikers) noexcept {
         const double moved =
             (spring.force - spring.stiffness * spring.elongation) / hold_of(spring, period);
         spring.elongation += moved;
+        spring.elongation *= sprung_[i] == kTension ? 1.0 : pace.flesh_keeps;
         ports_[sprung_[i]].displacement += moved;
         push_at(pace, sprung_[i], -spring.force);
     }

@@ -70,6 +70,7 @@ StickEvents StickGestures::add(int station, const TimedPose& pose) noexcept {
     if (station == settings_.frame) {
         if (verdict == PoseGate::Verdict::kFresh) {
             frame_.reset();
+            reset_stick();  // what it did was seen from another place
         }
         frame_.add(pose);
         return {};

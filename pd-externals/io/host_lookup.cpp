@@ -9,9 +9,7 @@
 
 namespace percussionist::io {
 
-namespace {
-
-std::uint32_t look_up(const std::string& host) {
+std::uint32_t HostLookup::ask_system(const std::string& host) {
     addrinfo hints{};
     hints.ai_family = AF_INET;
     hints.ai_socktype = SOCK_DGRAM;
@@ -24,16 +22,14 @@ std::uint32_t look_up(const std::string& host) {
     return address;
 }
 
-}  // namespace
-
-HostLookup::HostLookup(const std::string& host) {
+HostLookup::HostLookup(const std::string& host, const Ask& ask) {
     if (read_address(host, answer_->address)) {
         answer_->done = true;
         return;
     }
     // It may outlive this object, but not what it writes to.
-    std::thread([host, answer = answer_] {
-        answer->address = look_up(host);
+    std::thread([host, ask, answer = answer_] {
+        answer->address = ask(host);
         answer->done.store(true, std::memory_order_release);
     }).detach();
 }

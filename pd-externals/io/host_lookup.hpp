@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -11,8 +12,12 @@ namespace percussionist::io {
 
 class HostLookup {
   public:
+    /// The address of a host, 0 if there is none; however long it takes.
+    using Ask = std::function<std::uint32_t(const std::string& host)>;
+    static std::uint32_t ask_system(const std::string& host);
+
     /// Numbers and localhost are known at once.
-    explicit HostLookup(const std::string& host);
+    explicit HostLookup(const std::string& host, const Ask& ask = ask_system);
 
     bool done() const { return answer_->done.load(std::memory_order_acquire); }
     /// Once done(): 0 if there is no such host.

@@ -22,10 +22,11 @@ constexpr double kFrom1900To1970 = 2208988800.0;  // [s]
 
 }  // namespace
 
-OscReceiver::OscReceiver(const std::string& address, int port)
+OscReceiver::OscReceiver(const std::string& address, int port, Naming naming)
     : socket_(address, port),
       inbox_([this](std::unique_ptr<Delivery> delivery) { hand_over(std::move(delivery)); }),
       waker_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
+      naming_(std::move(naming)),
       thread_([this] { run(); }) {}
 
 OscReceiver::~OscReceiver() {
@@ -92,6 +93,10 @@ void OscReceiver::run() {
         }
         publish_status();
         obey_commands();
+        if (ending && !last_.empty()) {
+            often_.clear();
+            to_send_.push_back(std::move(last_));
+        }
         send_what_waits(monotonic_seconds());
         search(monotonic_seconds());
         for (std::unique_ptr<Delivery> done; returned_.pop(done);) {
@@ -118,9 +123,7 @@ void OscReceiver::obey(Command& command) {
     switch (command.kind) {
         case Command::Kind::kServer:
             send_what_waits(monotonic_seconds());  // to the one before
-            server_name_ = command.host;
-            server_ = {0, static_cast<std::uint16_t>(command.port)};
-            lookup_.emplace(command.host);
+            head_for(command.host, static_cast<std::uint16_t>(command.port));
             break;
         case Command::Kind::kOften:
             often_ = std::move(command.packet);
@@ -157,18 +160,45 @@ void OscReceiver::search(double now) {
     }
 }
 
-void OscReceiver::send_what_waits(double now) {
-    if (!lookup_ || !lookup_->done()) {
-        return;
+void OscReceiver::head_for(const std::string& host, std::uint16_t port) {
+    if (host != server_name_ || port != server_.port) {
+        to_send_.clear();  // it was meant for the one before
     }
-    if (server_.address == 0) {
-        server_.address = lookup_->address();
-        if (server_.address == 0) {
-            complain("no host " + server_name_);
-            lookup_.reset();
-            to_send_.clear();
-            return;
-        }
+    server_name_ = host;
+    server_ = {0, port};
+    lookup_.emplace(host, naming_.ask);
+    unknown_ = false;
+}
+
+/// Looks it up, if there is anything to send to it.
+bool OscReceiver::knows_server(double now) {
+    if (server_.address != 0) {
+        return true;
+    }
+    const bool wanted = !often_.empty() || !to_send_.empty();
+    if (!lookup_ && wanted && !server_name_.empty() && now >= look_up_at_) {
+        lookup_.emplace(server_name_, naming_.ask);
+    }
+    if (!lookup_ || !lookup_->done()) {
+        return false;
+    }
+    server_.address = lookup_->address();
+    lookup_.reset();
+    if (server_.address != 0) {
+        return true;
+    }
+    look_up_at_ = now + naming_.again;
+    if (!unknown_ || !to_send_.empty()) {
+        complain("no host " + server_name_);
+    }
+    unknown_ = true;
+    to_send_.clear();
+    return false;
+}
+
+void OscReceiver::send_what_waits(double now) {
+    if (!knows_server(now)) {
+        return;
     }
     if (!often_.empty() && now - sent_often_ >= kOften) {
         sent_often_ = now;

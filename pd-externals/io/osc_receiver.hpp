@@ -31,8 +31,15 @@ class OscReceiver {
         double dropped = 0;  ///< packets or deliveries for which there was no room
     };
 
+    /// How a server is found by its name.
+    struct Naming {
+        HostLookup::Ask ask = HostLookup::ask_system;
+        double again = 3.0;  ///< after there was no such host [s]
+    };
+
     /// As UdpSocket; throws as that does.
-    OscReceiver(const std::string& address, int port);
+    OscReceiver(const std::string& address, int port) : OscReceiver(address, port, Naming{}) {}
+    OscReceiver(const std::string& address, int port, Naming naming);
     ~OscReceiver();
     OscReceiver(const OscReceiver&) = delete;
     OscReceiver& operator=(const OscReceiver&) = delete;
@@ -46,11 +53,14 @@ class OscReceiver {
     /// A few milliseconds old at most; its offset is that of the wall clocks [s].
     Status status() const noexcept;
 
-    /// Where to send to.
+    /// Where to send to. While there is no such host it is looked up again and again; what was sent
+    /// to it meanwhile is dropped.
     void set_server(const std::string& host, int port);
     void send(Bytes packet);
     /// Now and every second, until told otherwise by another, or by an empty one.
     void send_often(Bytes packet);
+    /// This is sent last of all; then the receiver has to be destroyed.
+    void end_with(Bytes packet) noexcept { last_ = std::move(packet); }
     /// Looks for servers on this machine's networks for 3 s: each comes as a delivery.
     void find();
 
@@ -67,6 +77,8 @@ class OscReceiver {
     void wait() const;
     void obey_commands();
     void obey(Command& command);
+    void head_for(const std::string& host, std::uint16_t port);
+    bool knows_server(double now);
     void send_what_waits(double now);
     void search(double now);
     void hand_over(std::unique_ptr<Delivery> delivery);
@@ -79,6 +91,7 @@ class OscReceiver {
     OscInbox inbox_;
     int waker_;
     std::atomic<bool> ending_{false};
+    Bytes last_;  // the thread's once ending_
     std::array<std::atomic<double>, kNumbers> status_{};
     SpscRing<std::unique_ptr<Delivery>> deliveries_{kMostWaiting};
     SpscRing<std::unique_ptr<Delivery>> returned_{4 * kMostWaiting};
@@ -86,14 +99,17 @@ class OscReceiver {
 
     // The thread's own.
     double refused_ = 0;
+    Naming naming_;
     std::optional<HostLookup> lookup_;
+    double look_up_at_ = 0.0;
     std::optional<ServerSearch> search_;
     Endpoint server_;
     std::string server_name_;
     std::deque<Bytes> to_send_;
     Bytes often_;
     double sent_often_ = 0.0;
-    int last_wrong_ = 0;  // errno of the last packet sent
+    int last_wrong_ = 0;    // errno of the last packet sent
+    bool unknown_ = false;  // there is no such host, as was said
 
     std::thread thread_;
 };

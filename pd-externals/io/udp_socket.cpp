@@ -98,7 +98,8 @@ UdpSocket::UdpSocket(const std::string& address, int port) : batch_(std::make_un
         if (handle_ >= 0) {
             close(handle_);
         }
-        throw std::runtime_error("port " + std::to_string(port) + ": " + std::strerror(reason));
+        const std::string where = port == 0 ? address : address + " port " + std::to_string(port);
+        throw std::runtime_error("cannot listen on " + where + ": " + std::strerror(reason));
     }
     port_ = ntohs(bound.sin_port);
     // More than the machine allows everybody needs a privilege.

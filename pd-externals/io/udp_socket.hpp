@@ -16,7 +16,7 @@ namespace percussionist::io {
 class UdpSocket {
   public:
     /// `address` in numbers, 0.0.0.0 for all of the machine's; port 0 for any free one. Throws
-    /// std::runtime_error: "port 7771: Address already in use".
+    /// std::runtime_error: "cannot listen on 0.0.0.0 port 7771: Address already in use".
     UdpSocket(const std::string& address, int port);
     ~UdpSocket();
     UdpSocket(const UdpSocket&) = delete;

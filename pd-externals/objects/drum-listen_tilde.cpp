@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/listening/live_listener.hpp"
@@ -91,10 +92,12 @@ class DrumListen : public Object {
     void prepare(double sample_rate, std::size_t block_size) override {
         as_floats_.resize(block_size);
         if (sample_rate == settings_.rate) return;
-        settings_.rate = sample_rate;
-        const OwnDrums drums = listener_->own_drums();
-        listener_ = std::make_unique<listening::LiveListener>(settings_, listening::learnt_drums());
-        listener_->set_own_drums(drums);
+        auto settings = settings_;
+        settings.rate = sample_rate;
+        auto other = std::make_unique<listening::LiveListener>(settings, listening::learnt_drums());
+        other->take_drums(*listener_);
+        listener_ = std::move(other);
+        settings_ = settings;
         heard_ = 0;
     }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <deque>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -53,14 +54,15 @@ class Fastrak : public Object {
     void delay(const Arguments& a) { delay_ = a.number(0); }
 
     void stations(const Arguments& a) {
-        settings_.wanted = {};
+        decltype(settings_.wanted) wanted{};
         for (const Atom& atom : a.atoms()) {
             const double* const number = std::get_if<double>(&atom);
             if (!number || !(*number >= 1 && *number <= motion::kFastrakStations)) {
                 throw std::invalid_argument("expected numbers from 1 to 4, got " + to_string(atom));
             }
-            settings_.wanted.at(static_cast<std::size_t>(*number) - 1) = true;
+            wanted.at(static_cast<std::size_t>(*number) - 1) = true;
         }
+        settings_.wanted = wanted;
         settle();
     }
     void format(const Arguments& a) {
@@ -94,15 +96,15 @@ class Fastrak : public Object {
             throw std::invalid_argument(
                 "expected nine numbers [m]: origin, a point on x, one on y");
         }
-        at(a).alignment.reset();
+        std::optional<motion::Alignment> frame;
         if (a.has(9)) {
-            const motion::Alignment frame{vector(a, 1), vector(a, 4), vector(a, 7)};
-            const Vector3 x = frame.on_x - frame.origin, y = frame.on_y - frame.origin;
+            frame = {vector(a, 1), vector(a, 4), vector(a, 7)};
+            const Vector3 x = frame->on_x - frame->origin, y = frame->on_y - frame->origin;
             if (!(x.cross(y).norm() > 1e-6)) {
                 throw std::invalid_argument("expected three points that are not on one line");
             }
-            at(a).alignment = frame;
         }
+        at(a).alignment = frame;
         settle();
     }
     void boresight(const Arguments& a) {

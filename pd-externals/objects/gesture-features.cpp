@@ -47,6 +47,9 @@ class GestureFeatures : public Object {
         if (!a.has(1) && end == 0) {
             throw std::invalid_argument("expected the place of end 1, which is always there");
         }
+        if (a.has(1) && !a.has(3)) {
+            throw std::invalid_argument("expected x, y and z [m], or none of them");
+        }
         change([&](auto& s) {
             s.tips.at(end) = a.has(3) ? std::optional(vector(a, 1)) : std::nullopt;
         });
@@ -117,8 +120,12 @@ class GestureFeatures : public Object {
         tell_plane(fitted.residual);
     }
     void reset(const Arguments&) {
-        const auto settings = gestures_.settings();
+        auto settings = gestures_.settings();
+        if (settings.detection == motion::Detection::kPlane) {
+            settings.detection = motion::Detection::kFree;
+        }
         gestures_ = motion::StickGestures(settings);
+        calibrating_ = false;
         strikes_.clear();
     }
     void print(const Arguments&) {

@@ -170,7 +170,7 @@ void ModalDrum::pickup_pressure(const pdx::Arguments& a) {
     pickup.hears = modal::Pickup::Hears::pressure;
     pickup.elevation = a.number(0);
     pickup.theta = a.number(1);
-    drum_.set_pickup(counted(a.number(2)), pickup);
+    place(counted(a.number(2)), pickup);
 }
 
 void ModalDrum::listen(modal::Pickup::Hears hears, const pdx::Arguments& a) {
@@ -178,20 +178,29 @@ void ModalDrum::listen(modal::Pickup::Hears hears, const pdx::Arguments& a) {
     pickup.hears = hears;
     pickup.r = a.number(0);
     pickup.theta = a.number(1);
-    drum_.set_pickup(counted(a.number(2)), pickup);
-    placed_pickups_ = true;
+    place(counted(a.number(2)), pickup);
+}
+
+void ModalDrum::place(std::size_t i, const modal::Pickup& pickup) {
+    drum_.set_pickup(i, pickup);
+    placed_pickups_.at(i) = true;
 }
 
 void ModalDrum::hand(const pdx::Arguments& a) {
-    drum_.lay(counted(a.number(0)), {a.number(1), a.number(2), a.number(3), a.number(4)});
+    lay(counted(a.number(0)), {a.number(1), a.number(2), a.number(3), a.number(4)});
 }
 
 void ModalDrum::lift(const pdx::Arguments& a) {
-    for (std::size_t i = 0; i < modal::StruckHead::kMaxHands; ++i) {
+    for (std::size_t i = 0; i < hands_.size(); ++i) {
         if (!a.has(0) || counted(a.number(0)) == i) {
-            drum_.lay(i, {.pressure = 0.0});
+            lay(i, {.pressure = 0.0});
         }
     }
+}
+
+void ModalDrum::lay(std::size_t i, const modal::Hand& hand) {
+    drum_.lay(i, hand);
+    hands_[i] = hand;
 }
 
 void ModalDrum::follow(const pdx::Arguments& a) {
@@ -254,6 +263,11 @@ void ModalDrum::prepare(double sample_rate, std::size_t) {
     if (sample_rate != drum_.head().sample_rate()) {
         drum_ = modal::ModalDrum(drum_.settings(), sample_rate);
         drum_.force_at(force_at_.r, force_at_.theta);
+        for (std::size_t i = 0; i < hands_.size(); ++i) {
+            if (hands_[i]) {
+                drum_.lay(i, *hands_[i]);
+            }
+        }
         if (follows_) {
             follow_place();
         }
@@ -297,15 +311,17 @@ void ModalDrum::tune(const modal::Body& body, const modal::Loss& loss) {
 
 void ModalDrum::retune() {
     const double radius = drum_.head().resonator().radius();
-    if (placed_pickups_ || radius == pickups_of_) {
+    if (radius == pickups_of_) {
         return;
     }
     pickups_of_ = radius;
     for (std::size_t i = 0; i < drum_.settings().pickups.size(); ++i) {
-        auto pickup = drum_.settings().pickups[i];
-        pickup.r = 0.6 * radius;
-        pickup.theta = 2.0 + static_cast<double>(i);
-        drum_.set_pickup(i, pickup);
+        if (!placed_pickups_.at(i)) {
+            auto pickup = drum_.settings().pickups[i];
+            pickup.r = 0.6 * radius;
+            pickup.theta = 2.0 + static_cast<double>(i);
+            drum_.set_pickup(i, pickup);
+        }
     }
     drum_.force_at(force_at_.r, force_at_.theta);
 }

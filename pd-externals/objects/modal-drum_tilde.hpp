@@ -1,6 +1,7 @@
 // The drum as an object of Pd: what its messages do.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/modal/modal_drum.hpp"
@@ -65,6 +66,8 @@ class ModalDrum : public pdx::Object {
     void tune(const modal::Body& body, const modal::Loss& loss);
     void retune();
     void listen(modal::Pickup::Hears hears, const pdx::Arguments& a);
+    void place(std::size_t i, const modal::Pickup& pickup);
+    void lay(std::size_t i, const modal::Hand& hand);
     void follow_place();
     void play(modal::Stroke stroke, const Place& place);
 
@@ -74,7 +77,8 @@ class ModalDrum : public pdx::Object {
     double slide_x_ = 0.0, slide_y_ = 0.0;  // [m/s]
     std::optional<Place> position_, follows_;
     Place force_at_{0.0, 0.0};
-    bool placed_pickups_ = false;
+    std::array<std::optional<modal::Hand>, modal::StruckHead::kMaxHands> hands_;
+    std::array<bool, modal::ModalDrum::kMaxPickups> placed_pickups_{};
     double pickups_of_ = 0.0;  // radius they were placed on [m]
     pdx::TimedQueue<modal::Stroke, modal::ModalDrum::kQueue> waiting_;
 };

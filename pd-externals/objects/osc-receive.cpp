@@ -9,6 +9,7 @@
 #include "io/monotonic.hpp"
 #include "io/osc_receiver.hpp"
 #include "io/playout.hpp"
+#include "io/udp_socket.hpp"
 #include "pdx/object.hpp"
 
 namespace {
@@ -24,23 +25,24 @@ class OscReceive : public Object {
           play_clock_(*this, [this] { play(); }),
           status_clock_(*this, [this] { tell_each_second(); }),
           port_(creation.integer(0)) {
-        open();
+        try {
+            open(address_, port_);
+        } catch (const std::exception& e) {
+            error(e.what());  // until it is told of a port that it can have
+        }
         tick_clock_.delay(0.0);
         status_clock_.delay(1.0);
     }
     ~OscReceive() override { close(); }
 
-    void port(const Arguments& a) {
-        port_ = a.integer(0);
-        open();
-    }
-    void listen(const Arguments& a) {
-        address_ = a.word(0);
-        open();
-    }
+    void port(const Arguments& a) { open(address_, a.integer(0)); }
+    void listen(const Arguments& a) { open(a.word(0), port_); }
     void latency(const Arguments& a) { playout_.set_latency(a.number(0)); }
 
     void subscribe(const Arguments& a) {
+        if (a.word(0) != host_ || a.integer(1) != server_port_) {
+            leave();
+        }
         host_ = a.word(0);
         server_port_ = a.integer(1);
         subscribed_ = true;
@@ -98,20 +100,45 @@ class OscReceive : public Object {
     }
 
   private:
-    void open() {
-        close();
-        try {
-            receiver_ = std::make_unique<io::OscReceiver>(address_, port_);
-        } catch (const std::exception& e) {
-            error(e.what());
+    /// Listens there instead. Where it cannot it throws, and listens where it did.
+    void open(const std::string& address, int port) {
+        if (receiver_ && receiver_->port() == port) {
+            reopen(address);
+        } else {
+            auto other = std::make_unique<io::OscReceiver>(address, port);
+            close();
+            begin(std::move(other));
+        }
+        address_ = address;
+        port_ = port;
+    }
+
+    /// By another address: two cannot have the same port.
+    void reopen(const std::string& address) {
+        if (address == address_) {
             return;
         }
+        const int port = receiver_->port();
+        const io::UdpSocket possible(address, 0);  // while the other still listens
+        close();
+        try {
+            begin(std::make_unique<io::OscReceiver>(address, port));
+        } catch (const std::exception&) {
+            begin(std::make_unique<io::OscReceiver>(address_, port));
+            throw;
+        }
+    }
+
+    void begin(std::unique_ptr<io::OscReceiver> receiver) {
+        receiver_ = std::move(receiver);
         receiver_->set_server(host_, server_port_);
         keep_subscribed();
     }
 
-    void close() {
-        leave();
+    void close() noexcept {
+        if (receiver_ && subscribed_) {
+            receiver_->end_with(subscription("/unsubscribe", false));
+        }
         receiver_.reset();
     }
 
@@ -160,7 +187,7 @@ class OscReceive : public Object {
                 playout_.add(std::move(delivery));
                 continue;
             }
-            receiver_->give_back(std::move(delivery));
+            give_back(std::move(delivery));
         }
         play();
     }
@@ -170,12 +197,17 @@ class OscReceive : public Object {
             for (const auto& message : delivery->messages) {
                 let_out(message);
             }
-            if (receiver_) {
-                receiver_->give_back(std::move(delivery));
-            }
+            give_back(std::move(delivery));
         }
         if (playout_.next() < tick_end_) {
             play_clock_.at(playout_.next());
+        }
+    }
+
+    /// What was sent out may have closed the port.
+    void give_back(std::unique_ptr<io::Delivery> delivery) {
+        if (receiver_) {
+            receiver_->give_back(std::move(delivery));
         }
     }
 

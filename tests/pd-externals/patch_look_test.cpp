@@ -155,6 +155,21 @@ TEST_CASE("a patch names no folder of somebody's machine, and no number of its o
     });
 }
 
+TEST_CASE("a patch opened twice has arrays of its own each time") {
+    const std::regex array("(array define( -k)?|table) ");
+    for_each_window([&](const PdWindow& window) {
+        for (const auto& box : window.boxes) {
+            std::smatch found;
+            if (!std::regex_search(box.text, found, array,
+                                   std::regex_constants::match_continuous)) {
+                continue;
+            }
+            CAPTURE(box.text);
+            CHECK(found.suffix().str().starts_with("$0-"));
+        }
+    });
+}
+
 TEST_CASE("each page of the tour says what to click first, and leads to its neighbours") {
     std::vector<fs::path> pages;
     for (const auto& patch : patches_in(kRoot / "patches/tour")) {

@@ -110,6 +110,20 @@ TEST_CASE("drums learnt from four strokes each are told apart, and a drum not le
     CHECK(own(listen(listener, kicks, 48000.0, 64)) == 6);
 }
 
+TEST_CASE("other drums end the learning, which touches none of them") {
+    LiveListener listener({}, learnt_drums());
+    OwnDrums drums;
+    listener.set_own_drums(drums);
+    listener.learn(*drums.named("low"), 3);
+    OwnDrums others;
+    OwnDrum& other = others[*others.named("other")];
+    other.strokes = 4;
+    listener.set_own_drums(others);
+    CHECK(!listener.learning());
+    listen(listener, strokes(48000.0, 6), 48000.0, 64);
+    CHECK(to_text(listener.own_drums()) == to_text(others));
+}
+
 TEST_CASE("an echo far softer than the stroke is not learnt as one, nor told as that drum") {
     LiveListener listener({}, learnt_drums());
     OwnDrums drums;
@@ -134,4 +148,18 @@ TEST_CASE("silence and what is no number do no harm") {
     CHECK(listen(listener, std::vector<float>(48000, 0.0F), 48000.0, 64).empty());
     listen(listener, std::vector<float>(4800, NAN), 48000.0, 64);
     CHECK(listen(listener, strokes(48000.0, 8), 48000.0, 64).size() >= 8);
+}
+
+TEST_CASE("a moment of samples beyond all bounds is soon forgotten") {
+    for (const float huge : {1e3F, 1e15F, 1e25F, 3e38F, INFINITY}) {
+        LiveListener listener({}, learnt_drums());
+        std::vector<float> burst(64, huge);
+        for (std::size_t n = 0; n < burst.size(); n += 2) burst[n] = -huge;
+        listen(listener, burst, 48000.0, 64);
+        const auto told = listen(listener, strokes(48000.0, 8), 48000.0, 64);
+        CAPTURE(huge);
+        CHECK(std::count_if(told.begin(), told.end(), [](const Told& t) {
+                  return t.at > 0.5 && t.event.kind == LiveEvent::Kind::attack;
+              }) == 8);
+    }
 }

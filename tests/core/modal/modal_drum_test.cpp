@@ -213,6 +213,43 @@ TEST_CASE("a hand mutes it until the next stroke") {
     CHECK(play() == doctest::Approx(open).epsilon(0.01));
 }
 
+TEST_CASE("a hand laid on a ringing drum brings it to rest, and leaves it without a sound") {
+    for (const double pressure : {300.0, 3000.0, 2e4}) {
+        for (const std::size_t when : {1022u, 1109u, 1330u}) {
+            ModalDrum drum({.pickups = {{.hears = Pickup::Hears::position}}}, kRate);
+            drum.strike(0, {.velocity = 5});
+            std::vector<double> sound(static_cast<std::size_t>(6 * kRate));
+            drum.process(std::span(sound).first(when));
+            drum.lay(0, {.pressure = pressure});
+            drum.process(std::span(sound));
+            CAPTURE(pressure);
+            CAPTURE(when);
+            CHECK(drum.silent());
+            CHECK(sound.back() == 0.0);
+            drum.lay(0, {.pressure = 0.0});
+            drum.process(std::span(sound));
+            CHECK(peak(sound) == 0.0);
+        }
+    }
+}
+
+TEST_CASE("a hand on a drum at rest damps the next stroke alike, whatever was set meanwhile") {
+    const auto damped = [](auto set) {
+        ModalDrum drum({}, kRate);
+        drum.lay(0, {});
+        set(drum);
+        drum.strike(0, {});
+        std::vector<double> sound(4800);
+        drum.process(std::span(sound));
+        return sound;
+    };
+    const auto reference = damped([](ModalDrum&) {});
+    CHECK(damped([](ModalDrum& drum) { drum.reset(); }) == reference);
+    CHECK(damped([](ModalDrum& drum) { drum.tune(Membrane{}, Decay{}); }) == reference);
+    CHECK(damped([](ModalDrum& drum) { drum.set_pickup(0, {}); }) == reference);
+    CHECK(damped([](ModalDrum& drum) { drum.mute(1.0); }) == reference);
+}
+
 TEST_CASE("more strokes than mallets and than places in the queue do no harm") {
     ModalDrum drum({}, kRate);
     for (std::size_t i = 0; i < ModalDrum::kQueue; ++i) {

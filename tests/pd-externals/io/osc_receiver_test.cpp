@@ -2,7 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
+#include <atomic>
+#include <memory>
 #include <thread>
 
 #include "io/monotonic.hpp"
@@ -96,7 +97,8 @@ TEST_CASE("a port that is taken is refused with its number and the reason") {
     } catch (const std::runtime_error& e) {
         reason = e.what();
     }
-    CHECK(reason == "port " + std::to_string(first.port()) + ": Address already in use");
+    CHECK(reason == "cannot listen on 127.0.0.1 port " + std::to_string(first.port()) +
+                        ": Address already in use");
     CHECK_THROWS_WITH(OscReceiver("nowhere", 0),
                       "address nowhere: expected four numbers, as 0.0.0.0");
 }
@@ -109,6 +111,42 @@ TEST_CASE("packets are sent to the server, and a subscription at once") {
     here.receiver.send(play);
     here.receiver.send_often(subscribe);
     CHECK(received(server, 2) == std::vector<OscBytes>{play, subscribe});
+}
+
+TEST_CASE("a host that is not there yet is looked for again and again, and said so of once") {
+    const auto asked = std::make_shared<std::atomic<int>>(0);  // by threads that may outlive this
+    OscReceiver receiver(
+        "127.0.0.1", 0,
+        {.ask = [asked](const std::string&) { return ++*asked < 4 ? 0 : kHere; }, .again = 1e-3});
+    UdpSocket server("127.0.0.1", 0);
+    const Bytes subscribe = write_osc("/subscribe", {});
+    receiver.set_server("stage.local", server.port());
+    receiver.send_often(subscribe);
+    CHECK(received(server, 1) == std::vector<OscBytes>{subscribe});
+    CHECK(*asked == 4);
+    const auto said = receiver.next();
+    REQUIRE(said);
+    CHECK(said->complaint == "no host stage.local");
+    CHECK(!receiver.next());
+}
+
+TEST_CASE("what was sent to a host that is not there is said to be lost, and goes to no other") {
+    OscReceiver receiver("127.0.0.1", 0,
+                         {.ask = [](const std::string&) { return 0U; }, .again = 1e-3});
+    UdpSocket server("127.0.0.1", 0);
+    const Bytes stop = write_osc("/stop", {}), play = write_osc("/play", {});
+    receiver.set_server("nowhere", server.port());
+    for (int i = 0; i < 2; ++i) {
+        receiver.send(stop);
+        CHECK(soon([&] {
+            const auto said = receiver.next();
+            return said && said->complaint == "no host nowhere";
+        }));
+    }
+    receiver.send(stop);
+    receiver.set_server("127.0.0.1", server.port());
+    receiver.send(play);
+    CHECK(received(server, 1) == std::vector<OscBytes>{play});
 }
 
 TEST_CASE("what was asked to be sent is sent before the end") {

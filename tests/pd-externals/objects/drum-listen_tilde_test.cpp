@@ -13,10 +13,17 @@ using namespace percussionist::pdx;
 
 namespace {
 
-FakeObject& make(FakeHost& host) {
+struct Told {
+    std::string selector;
+    std::vector<Atom> atoms;
+};
+
+/// Told something, if anything, before signals are on.
+FakeObject& make(FakeHost& host, const Told& first = {}) {
     if (!find_class("drum-listen~")) setup_drum0x2dlisten_tilde();
     FakeObject* const object = host.create("drum-listen~");
     REQUIRE(object);
+    if (!first.selector.empty()) object->message(first.selector, first.atoms);
     host.start_dsp();
     return *object;
 }
@@ -84,6 +91,31 @@ TEST_CASE("a drum learnt, saved, forgotten and loaded is known again") {
     CHECK(own() == 1);
     CHECK(host.errors().empty());
     std::remove(file.c_str());
+}
+
+TEST_CASE("a drum to be learnt before signals are on is learnt at whatever rate they come") {
+    for (const double rate : {44100.0, 48000.0, 96000.0}) {
+        FakeHost host(rate);
+        FakeObject& object = make(host, {"learn", {"click", 3.0}});
+        for (int stroke = 0; stroke < 3; ++stroke) click(host, object);
+        object.message("print");
+        CAPTURE(rate);
+        CHECK(host.posts().back() == "drum-listen~: click, learnt from 3 strokes");
+    }
+}
+
+TEST_CASE("a rate it cannot hear at is refused each time, and the one before stays") {
+    FakeHost host;
+    FakeObject& object = make(host);
+    CHECK(host.errors().empty());
+    for (int time = 0; time < 2; ++time) {
+        host.start_dsp(64, 16);
+        REQUIRE(host.errors().size() == 1);
+    }
+    host.start_dsp();
+    click(host, object);
+    CHECK(host.errors().empty());
+    CHECK(!object.sent().empty());
 }
 
 TEST_CASE("files that are not there or are no drums are one clear error, and nothing is lost") {

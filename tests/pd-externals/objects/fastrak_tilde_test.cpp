@@ -293,3 +293,26 @@ TEST_CASE("bad messages and files get one error each") {
     object.message("open", {"/nowhere/tty"});
     studio.until([&] { return fastrak.heard("lost-device"); });
 }
+
+TEST_CASE("what is refused changes nothing, also not with the next setting") {
+    Studio studio(receivers(2));
+    Listener fastrak{studio.create({studio.link.c_str()}), {}, {}};
+    fastrak.object.message("align", {1.0, 0.3, 0.0, 0.0, 1.3, 0.0, 0.0, 0.3, 1.0, 0.0});
+    studio.until([&] { return fastrak.has_poses(30); });
+    CHECK(studio.host.errors().empty());
+    fastrak.object.message("stations", {2.0, "three"});
+    fastrak.object.message("align", {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0});
+    CHECK(studio.host.errors().size() == 2);
+    fastrak.object.message("twice", {1.0});
+    studio.pass(0.1);
+    fastrak.poses.clear();
+    studio.until([&] { return fastrak.has_poses(30); });
+    int of_stick = 0;
+    for (const Sent& pose : fastrak.poses) {
+        if (number(pose, 0) == 1) {
+            ++of_stick;
+            CHECK(number(pose, 1) < 0.5);  // without the alignment about 0.6
+        }
+    }
+    CHECK(of_stick > 5);
+}

@@ -116,6 +116,27 @@ TEST_CASE("seen from the player, leaning and turning change nothing") {
     CHECK(test::score(truths, found, 0.025).f() > 0.95);
 }
 
+TEST_CASE("a frame that was out of sight and is back elsewhere makes no strike") {
+    FakeHost host;
+    FakeObject& features = create(host);
+    features.message("frame", {2.0});
+    features.message("plane", {0.0, 0.0, 0.0, 0.0, 0.0, 1.0});
+    const auto still = [](double time, double z) {
+        return test::TimedPose{time, {{0.05, 0.0, z}, linear::quaternion_exp({1e-3 * time, 0, 0})}};
+    };
+    for (int i = 0; i < 240; ++i) {
+        const double time = i / 120.0;
+        const bool seen = i < 40 || i >= 120;
+        send_pose(host, features, 1, still(time, 0.15));
+        if (seen) {
+            send_pose(host, features, 2, still(time + 0.004, i < 40 ? 0.0 : 0.2));
+        }
+    }
+    host.advance_to(3.0);
+    CHECK(host.errors().empty());
+    CHECK(from(features, 0).empty());
+}
+
 TEST_CASE("taps on a real surface make the plane") {
     const test::Trial trial = quiet_trial();
     FakeHost host;
@@ -136,6 +157,34 @@ TEST_CASE("taps on a real surface make the plane") {
     CHECK(normal.dot(trial.world_from_drum.orientation * motion::Vector3::UnitZ()) > 0.98);
     const motion::Vector3 middle(number(0), number(1), number(2));
     CHECK(std::abs((trial.world_from_drum.inverse() * middle).z()) < 0.03);
+}
+
+TEST_CASE("after a reset strikes are told from the movement alone, and no tap is kept") {
+    const test::Trial trial = quiet_trial();
+    const auto played = [&](const std::vector<std::pair<std::string, std::vector<Atom>>>& before) {
+        FakeHost host;
+        FakeObject& features = create(host);
+        for (const auto& [selector, atoms] : before) {
+            features.message(selector, atoms);
+        }
+        features.sent();
+        for (const auto& pose : trial.poses) {
+            send_pose(host, features, 1, pose);
+        }
+        CHECK(host.errors().empty());
+        std::vector<double> told;
+        for (const Sent& sent : features.sent()) {
+            if (sent.selector == "strike" || sent.selector == "taps") {
+                told.push_back(sent.time);
+            }
+        }
+        return told;
+    };
+    const auto free = played({});
+    CHECK(free.size() > 10);
+    CHECK(played({{"plane", {0.0, 0.0, 0.0, 0.0, 0.0, 1.0}}, {"reset", {}}}) == free);
+    CHECK(played({{"calibrate", {1.0}}, {"reset", {}}}) == free);
+    CHECK(played({{"detect", {"none"}}, {"reset", {}}}).empty());
 }
 
 TEST_CASE("a hand that presses in from behind damps as far as it presses") {
@@ -172,6 +221,8 @@ TEST_CASE("bad messages get one error each and what was set stays") {
         {"fit", {}},
         {"calibrate", {0.0}},
         {"tip", {1.0}},
+        {"tip", {1.0, 0.3}},
+        {"tip", {2.0, 0.3, 0.0}},
         {"tip", {3.0, 0.0, 0.0, 0.0}},
         {"window", {-1.0}},
     };

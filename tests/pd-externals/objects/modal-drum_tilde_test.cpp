@@ -70,6 +70,49 @@ TEST_CASE("two strokes within one block are two, each at its own sample") {
     CHECK(std::mismatch(one.begin(), one.end(), two.begin()).first - one.begin() == 1014);
 }
 
+TEST_CASE("a hand laid before signals are on lies there at whatever rate they come") {
+    for (const double rate : {44100.0, 48000.0, 96000.0}) {
+        const auto rendered = [rate](bool before) {
+            FakeHost host(rate);
+            auto& drum = *create(host);
+            const auto lay = [&] {
+                drum.message("hand", {1.0, 0.1, 0.0});
+                drum.message("hand", {2.0, 0.2, 1.0});
+                drum.message("lift", {2.0});
+            };
+            before ? lay() : host.start_dsp();
+            before ? host.start_dsp() : lay();
+            drum.message("strike", {2.0});
+            host.advance_to(0.1);
+            return drum.output(0);
+        };
+        CAPTURE(rate);
+        CHECK(rendered(true) == rendered(false));
+    }
+}
+
+TEST_CASE("a pickup that was placed stays where it is; those that were not follow the radius") {
+    using Messages = std::vector<std::pair<std::string, std::vector<Atom>>>;
+    const auto rendered = [](const Messages& messages, std::size_t outlet) {
+        FakeHost host;
+        auto& drum = *create(host, {0.3, 3500.0, 0.26, 2.0});
+        host.start_dsp();
+        for (const auto& [selector, atoms] : messages) {
+            drum.message(selector, atoms);
+        }
+        drum.message("strike", {2.0, 0.1, 0.5});
+        host.advance_to(0.1);
+        return drum.output(outlet);
+    };
+    const Messages::value_type radius{"radius", {0.2}};
+    for (const std::string what : {"pickup", "pickup-position", "pickup-pressure"}) {
+        const Messages::value_type place{what, {0.05, 0.3, 2.0}};
+        CAPTURE(what);
+        CHECK(rendered({place, radius}, 1) == rendered({radius, place}, 1));
+        CHECK(rendered({place, radius}, 0) == rendered({radius}, 0));
+    }
+}
+
 TEST_CASE("every bad message gets one error and changes nothing") {
     const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
     const std::vector<std::pair<std::string, std::vector<Atom>>> bad = {

@@ -145,8 +145,9 @@ TEST_CASE("a port that is taken is one error; the object lives and takes another
     const double taken = told(first, "port");
     auto* const second = create(host, {taken});
     REQUIRE(second);
-    CHECK(host.errors() == std::vector<std::string>{"osc-receive: port " + to_string(Atom(taken)) +
-                                                    ": Address already in use"});
+    const std::string reason =
+        "cannot listen on 0.0.0.0 port " + to_string(Atom(taken)) + ": Address already in use";
+    CHECK(host.errors() == std::vector<std::string>{"osc-receive: " + reason});
     second->message("send", {"/play"});
     CHECK(host.errors() ==
           std::vector<std::string>{"osc-receive: send: it has no port: send it port N"});
@@ -186,6 +187,54 @@ TEST_CASE("subscribing asks the server, leaving tells it, and so does going away
     CHECK(host.errors().empty());
 }
 
+TEST_CASE("subscribing to another server, or at another port, leaves the one before") {
+    FakeHost host;
+    auto& object = *create(host);
+    io::UdpSocket first("127.0.0.1", 0), second("127.0.0.1", 0);
+    const auto port = osc_int(here(object).port);
+    const auto subscribe = osc_message("/subscribe", "is", {port, osc_text("sound")});
+    const auto unsubscribe = osc_message("/unsubscribe", "i", {port});
+    const auto to = [&](const io::UdpSocket& server) {
+        object.message("subscribe", {"127.0.0.1", static_cast<double>(server.port())});
+    };
+    to(first);
+    CHECK(received(first, 1) == std::vector<OscBytes>{subscribe});
+    to(first);
+    CHECK(received(first, 1) == std::vector<OscBytes>{subscribe});
+    to(second);
+    CHECK(received(first, 1) == std::vector<OscBytes>{unsubscribe});
+    CHECK(received(second, 1) == std::vector<OscBytes>{subscribe});
+    object.message("unsubscribe");
+    CHECK(received(second, 1) == std::vector<OscBytes>{unsubscribe});
+    to(first);
+    CHECK(received(first, 1) == std::vector<OscBytes>{subscribe});
+}
+
+TEST_CASE("going away with more to send than there is room for, it still tells the server") {
+    for (int i = 0; i < 5; ++i) {
+        FakeHost host;
+        auto& object = *create(host);
+        io::UdpSocket server("127.0.0.1", 0);
+        const auto farewell = osc_message("/unsubscribe", "i", {osc_int(here(object).port)});
+        object.message("subscribe", {"127.0.0.1", static_cast<double>(server.port())});
+        OscBytes last;
+        const auto read = [&] {
+            return server.receive([&](auto bytes, const io::Endpoint&, double) {
+                last.assign(bytes.begin(), bytes.end());
+            });
+        };
+        for (int sent = 0; sent < 20000 && host.errors().empty(); ++sent) {
+            object.message("send", {"/play"});
+            while (sent % 100 == 0 && read()) {
+            }
+        }
+        host.destroy(&object);
+        while (read()) {
+        }
+        CHECK(last == farewell);
+    }
+}
+
 TEST_CASE("every bad message to it gets one error and changes nothing") {
     FakeHost host;
     auto& object = *create(host);
@@ -213,7 +262,39 @@ TEST_CASE("every bad message to it gets one error and changes nothing") {
     object.message("listen", {"no.such.address"});
     CHECK(host.errors() ==
           std::vector<std::string>{
-              "osc-receive: address no.such.address: expected four numbers, as 0.0.0.0"});
+              "osc-receive: listen: address no.such.address: expected four numbers, as 0.0.0.0"});
+    CHECK(told(object, "port") == port);
+}
+
+TEST_CASE("told to listen where it cannot, it says so and listens where it did") {
+    FakeHost host;
+    auto& object = *create(host);
+    const io::UdpSocket sender("127.0.0.1", 0), taken("127.0.0.1", 0);
+    const double port = told(object, "port");
+    const auto refused = [&](const char* selector, const Atom& atom) {
+        object.message(selector, {atom});
+        const auto errors = host.errors();
+        REQUIRE(errors.size() == 1);
+        CHECK(told(object, "port") == port);
+        sender.send(here(object), osc_message("/a", "", {}));
+        CHECK(wait_for(host, object, 1).size() == 1);
+        return errors[0];
+    };
+    const auto in_use = [](double number) {
+        return " port " + to_string(Atom(number)) + ": Address already in use";
+    };
+    const std::string foreign =
+        "osc-receive: listen: cannot listen on 203.0.113.5: Cannot assign requested address";
+    const double other = taken.port();
+    CHECK(refused("port", other) == "osc-receive: port: cannot listen on 0.0.0.0" + in_use(other));
+    CHECK(refused("listen", "203.0.113.5") == foreign);
+    object.message("port", {port});
+    CHECK(refused("listen", "203.0.113.5") == foreign);
+    object.message("listen", {"127.0.0.1"});
+    CHECK(host.errors().empty());
+    const io::UdpSocket in_the_way("127.0.0.2", static_cast<int>(port));
+    CHECK(refused("listen", "0.0.0.0") ==
+          "osc-receive: listen: cannot listen on 0.0.0.0" + in_use(port));
 }
 
 TEST_CASE("many objects come and go while packets arrive") {
