@@ -84,8 +84,10 @@ void add_film_command(CLI::App& program) {
     CLI::App& command = *program.add_subcommand(
         "film",
         "play a score into a film with sound; needs no screen, and Pd, Gem, Xvfb and ffmpeg");
-    command.add_option("score", options->score,
-                       "a MIDI or MusicXML file, or a recording; none: the built-in piece");
+    command.add_option(
+        "score", options->score,
+        "a MIDI or MusicXML file, a recording, or captured motion (BVH, CSV of sticks); none: "
+        "the built-in piece");
     auto kit = std::make_shared<KitFilmOptions>();
     CLI::Option* with_kit =
         command

@@ -15,13 +15,14 @@ constexpr double kRingOut = 2.5;
 void Performance::load(std::vector<score::Stroke> strokes,
                        const std::shared_ptr<const CapturedMotion>& motion) {
     performing_ = false;
-    if (!motion) {
-        player_.load(std::move(strokes));
-        return;
-    }
-    player_.load(std::move(strokes), {motion, &motion->clip});
-    for (int i = 0; i < simulation_.skeleton().size(); ++i) {
-        simulation_.set_limits(i, motion->limits[static_cast<std::size_t>(i)]);
+    player_.load(
+        std::move(strokes),
+        motion ? std::shared_ptr<const body::PlayableClip>(motion, &motion->clip) : nullptr);
+    const body::Skeleton usual = body::make_skeleton(simulation_.options().person);
+    for (int i = 0; i < usual.size(); ++i) {
+        const auto segment = static_cast<std::size_t>(i);
+        simulation_.set_limits(i,
+                               motion ? motion->limits[segment] : usual.segments[segment].limits);
     }
 }
 

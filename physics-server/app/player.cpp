@@ -21,6 +21,8 @@ constexpr double kCauseWindow = 0.045;
 constexpr std::size_t kRemembered = 4;
 /// No stroke is asked for that is faster [m/s].
 constexpr double kFastest = 6.0;
+/// A captured motion has come to rest so long after its end [s].
+constexpr double kAtRest = 0.2;
 /// Between two strokes of a hand that takes over from the other, at least [s].
 constexpr double kSoonest = 0.12;
 
@@ -166,7 +168,7 @@ bool Player::over() const {
         return h.next == h.strokes.size() && !busy(hand);
     });
     return given && (!clip_ || tempo_.position(simulation_.frontier()) >=
-                                   clip_->follower().clip().duration());
+                                   clip_->follower().clip().duration() + kAtRest);
 }
 
 void Player::advance(Hand hand) {

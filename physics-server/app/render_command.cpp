@@ -50,8 +50,10 @@ void add_render_command(CLI::App& program) {
         "render",
         "play a score as fast as it can into files: contacts.csv, motion.bvh, motion.glb, "
         "performance.wav");
-    command.add_option("score", options->score,
-                       "a MIDI or MusicXML file; none: the built-in piece");
+    command.add_option(
+        "score", options->score,
+        "a MIDI or MusicXML file, a recording, or captured motion (BVH, CSV of sticks); none: "
+        "the built-in piece");
     command.add_option("-o,--output", options->folder, "folder for the files")->required();
     add_opening_flag(command, options->messages);
     add_file_flags(command, options->files);

@@ -62,8 +62,10 @@ void add_serve_command(CLI::App& program) {
     auto routes = std::make_shared<std::filesystem::path>();
     CLI::App& command = *program.add_subcommand(
         "serve", "simulate in real time; hear and tell over OSC (docs/osc-protocol.md)");
-    command.add_option("score", options->score,
-                       "a MIDI or MusicXML file, or a recording; none: the built-in piece");
+    command.add_option(
+        "score", options->score,
+        "a MIDI or MusicXML file, a recording, or captured motion (BVH, CSV of sticks); none: "
+        "the built-in piece");
     command
         .add_option("--listen", options->endpoint.listen,
                     "address to listen on; 0.0.0.0 for every network of this machine")

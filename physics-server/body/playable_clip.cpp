@@ -15,6 +15,8 @@ constexpr double kLook = 0.002;
 constexpr double kApart = 0.06;
 /// How far below the touch a captured stroke turns: a head gives way by as much [m].
 constexpr double kDip = 0.002;
+/// Before its beginning and after its end a tip waits at least so far above the head [m].
+constexpr double kClear = 0.08;
 /// The hand goes with this share of what its tip is bent.
 constexpr double kHandShare = 0.45;
 
@@ -88,11 +90,20 @@ void PlayableClip::find_place(const std::array<Path, 2>& paths) {
 void PlayableClip::bend(Hand hand, const Path& path) {
     Lift& lift = lifts_[static_cast<int>(hand)];
     const std::vector<double>& z = path.heights.heights;
+    const auto lacks = [&](std::size_t low) { return place_.z() - kDip - z[low]; };
+    // A motion glides on for a moment before it rests.
+    const auto wait = [&](double time, double resting, double usual) {
+        const double lowest = std::min(tip(time, hand).z(), tip(resting, hand).z());
+        lift.add(time, std::max(usual, place_.z() + kClear - lowest));
+    };
+    const double end = follower_.clip().duration();
+    const bool strikes = !path.lows.empty();
+    wait(0.0, -1.0, strikes ? lacks(path.lows.front()) : 0.0);
     for (const std::size_t low : path.lows) {
-        const double lacks = place_.z() - kDip - z[low];
-        lift.add(static_cast<double>(low) * kLook, lacks);
-        worst_lift_ = std::max(worst_lift_, std::abs(lacks));
+        lift.add(static_cast<double>(low) * kLook, lacks(low));
+        worst_lift_ = std::max(worst_lift_, std::abs(lacks(low)));
     }
+    wait(end, end + 1.0, strikes ? lacks(path.lows.back()) : 0.0);
     const auto below = [&](std::size_t i) {
         return place_.z() - z[i] - lift.at(static_cast<double>(i) * kLook);
     };

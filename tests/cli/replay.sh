@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # replay.sh PERCUSSIONIST: what serve recorded is played again to the last bit, and gives the files that
-# render writes of the same; a recording that tells of something else is found out.
+# render writes of the same, of a score and of a captured motion; a recording that tells of something
+# else is found out.
 set -eu
 percussionist=$1
 . "$(dirname "$(readlink -f "$0")")/song.sh"
@@ -20,3 +21,12 @@ if "$percussionist" replay "$work/other.recording" >"$work/other.txt" 2>"$work/e
     exit 1
 fi
 grep -q 'other.recording: played otherwise than recorded' "$work/error.txt"
+
+# A motion is a score too.
+"$percussionist" gestures write legato -o "$work/sticks.csv" --strokes 4 --interval 0.6
+"$percussionist" serve "$work/sticks.csv" --port 0 --play --quit-at-end --rate 500 \
+    --record "$work/motion.recording" --log "$work/moved" >"$work/moved.txt"
+grep -q 'contacts made      4' "$work/moved.txt"
+"$percussionist" replay "$work/motion.recording" -o "$work/moved-again" >"$work/again.txt"
+grep -q 'the same to the last bit' "$work/again.txt"
+diff "$work/moved/contacts.csv" "$work/moved-again/contacts.csv"
