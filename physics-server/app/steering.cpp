@@ -132,7 +132,7 @@ void Steering::set(const osc::SetLaw& wish) {
 void Steering::set(const osc::SetGain& wish) {
     sim::Controller& controller = performance_.simulation().controller();
     if (controller.options().law == sim::Law::paper) {
-        controller.set_paper_frequency(wish.frequency);
+        controller.set_paper_gains(wish.frequency, wish.damping);
     } else {
         controller.set_gains(wish.frequency, wish.damping);
     }
@@ -160,7 +160,9 @@ osc::StateMessage Steering::state(double wall) const {
          {"control", {tips_ ? "tips" : "joints"}},
          {"inverse", {inverse_}},
          {"law", {paper ? "paper" : "implicit"}},
-         {"gain", {paper ? control.paper_frequency : control.frequency, control.damping}},
+         {"gain",
+          {paper ? control.paper_frequency : control.frequency,
+           paper ? control.paper_damping : control.damping}},
          {"playing", {performance_.playing() ? 1.0 : 0.0}}}};
 }
 

@@ -37,7 +37,7 @@ class Tracker {
         }
         simulation_.controller().set_law(control.law);
         simulation_.controller().set_gains(options.frequency, options.damping);
-        simulation_.controller().set_paper_frequency(options.paper_frequency);
+        simulation_.controller().set_paper_gains(options.paper_frequency, 1.0);
         simulation_.set_tracking(control.tracking);
         simulation_.set_inverse(control.inverse);
         simulation_.begin_with(clip.clip, options.start);

@@ -23,6 +23,8 @@ constexpr double kMostStiffness = 0.5;
 constexpr double kMostDamping = 0.5;
 /// Beyond its limits a joint is pushed back at this frequency [Hz].
 constexpr double kStopFrequency = 40.0;
+/// A joint that is so far beyond its limits is against its stop [rad].
+constexpr double kStopped = 1e-3;
 
 /// The reduced inertia, by axis, of a joint whose two sides turn freely against each other.
 Vector3 reduced_inertia(const Skeleton& skeleton, int i) {
@@ -114,9 +116,10 @@ void Controller::set_joint_gains(int segment, double frequency, double damping) 
     own_damping_.at(segment) = damping;
 }
 
-void Controller::set_paper_frequency(double frequency) {
-    check_gains(frequency, 1.0);
+void Controller::set_paper_gains(double frequency, double damping) {
+    check_gains(frequency, damping);
     options_.paper_frequency = frequency;
+    options_.paper_damping = damping;
 }
 
 void Controller::add_torque(int joint, const Vector3& torque) {
@@ -163,7 +166,7 @@ void Controller::apply_implicit(int joint, const Target& target) {
     const Segment& s = body_.skeleton().segments[joint];
     const Quaternion above = orientation(body_.parent(joint));
     const Quaternion relative = above.conjugate() * orientation(body_.segment(joint));
-    const bool stopped = body::clamp(relative, s.limits).angularDistance(relative) > 1e-3;
+    const bool stopped = body::clamp(relative, s.limits).angularDistance(relative) > kStopped;
 
     const Quaternion now = body::clamp(target.now.joints[joint], s.limits);
     const Quaternion after = body::clamp(target.after.joints[joint], s.limits);
@@ -171,9 +174,13 @@ void Controller::apply_implicit(int joint, const Target& target) {
     // ODE moves a body by its velocity at the step's end: what leads from now to after.
     const Vector3 rate = above * (quaternion_log(after * now.conjugate()) / h_);
     const Gains g = gains(joint, stopped ? kStopFrequency : frequency(joint, target));
+    drive_motor(joint, error, rate, g, stopped ? dInfinity : s.torque_limit);
+}
+
+void Controller::drive_motor(int joint, const Vector3& error, const Vector3& rate, const Gains& g,
+                             double most) {
     const double softness = 1.0 / (h_ * g.kp + g.kd);
     const Vector3 speed = g.kp * softness * error + rate;
-    const double most = stopped ? dInfinity : s.torque_limit;
     for (int a = 0; a < 3; ++a) {
         const int group = a * dParamGroup;
         dJointSetAMotorParam(body_.motor(joint), dParamFMax + group, most);
@@ -187,8 +194,16 @@ void Controller::apply_paper(int joint, const Target& target) {
     const Quaternion above = orientation(body_.parent(joint));
     const Quaternion here = orientation(body_.segment(joint));
     const Quaternion relative = above.conjugate() * here;
-    const Vector3 error = here.conjugate() *
-                          (above * quaternion_log(target.now.joints[joint] * relative.conjugate()));
+    const body::JointLimits& limits = body_.skeleton().segments[joint].limits;
+    const Quaternion allowed = body::clamp(relative, limits);
+    if (allowed.angularDistance(relative) > kStopped) {
+        add_torque(joint, Vector3::Zero());
+        drive_motor(joint, above * quaternion_log(allowed * relative.conjugate()), Vector3::Zero(),
+                    gains(joint, kStopFrequency), dInfinity);
+        return;
+    }
+    const Quaternion now = body::clamp(target.now.joints[joint], limits);
+    const Vector3 error = here.conjugate() * (above * quaternion_log(now * relative.conjugate()));
     const Vector3 rate = here.conjugate() * (angular_velocity(body_.segment(joint)) -
                                              angular_velocity(body_.parent(joint)));
     const double w = 2.0 * std::numbers::pi * options_.paper_frequency;
@@ -196,7 +211,8 @@ void Controller::apply_paper(int joint, const Target& target) {
     const Vector3 most_ks = kMostStiffness / (h_ * h_) * own_inertia_[joint];
     const Vector3 most_kd = kMostDamping / h_ * own_inertia_[joint];
     const Vector3 ks = most_ks.cwiseMin(Vector3::Constant(inertia_[joint] * w * w));
-    const Vector3 kd = most_kd.cwiseMin(Vector3::Constant(2.0 * inertia_[joint] * w));
+    const Vector3 kd =
+        most_kd.cwiseMin(Vector3::Constant(2.0 * options_.paper_damping * inertia_[joint] * w));
     const Vector3 torque = ks.cwiseProduct(error) - kd.cwiseProduct(rate);
     add_torque(joint, here * torque);
     for (int a = 0; a < 3; ++a) {

@@ -32,6 +32,7 @@ struct ControlOptions {
     double contact_frequency = 6.0;  ///< of a loose joint, the grip about a contact [Hz]
     double damping = 1.0;            ///< of every joint; 1: critical
     double paper_frequency = 5.0;    ///< of every joint under the law of the papers [Hz]
+    double paper_damping = 1.0;      ///< and its damping
 };
 
 /// The motion asked for: the targets one step before, at and one step after the present.
@@ -65,8 +66,8 @@ class Controller {
     void set_gains(double frequency, double damping);
     /// Of the joint of one segment, until set_gains().
     void set_joint_gains(int segment, double frequency, double damping);
-    /// Under the law of the papers [Hz].
-    void set_paper_frequency(double frequency);
+    /// The same under the law of the papers; each joint is held to what a step stands.
+    void set_paper_gains(double frequency, double damping);
 
     /// What a joint exerted on its segment in the last step [N m, world].
     [[nodiscard]] Vector3 torque(int segment) const {
@@ -82,6 +83,8 @@ class Controller {
     [[nodiscard]] double frequency(int joint, const Target& target) const;
     void add_torque(int joint, const Vector3& torque);
     void apply_implicit(int joint, const Target& target);
+    void drive_motor(int joint, const Vector3& error, const Vector3& rate, const Gains& gains,
+                     double most);
     void apply_paper(int joint, const Target& target);
     void feed_forward(const Target& target);
 

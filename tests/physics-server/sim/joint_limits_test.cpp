@@ -25,8 +25,10 @@ std::shared_ptr<const body::Clip> bending(const body::Skeleton& skeleton, double
 }
 
 /// The farthest that the simulated elbow bends towards a target of 60 degrees [rad].
-double farthest(const body::JointLimits& limits) {
+double farthest(const body::JointLimits& limits, sim::Law law = sim::Law::implicit) {
     sim::SimulationOptions options;
+    options.control.law = law;
+    options.control.paper_frequency = 20.0;
     options.head_there = false;
     sim::Simulation simulation(options);
     const int elbow = simulation.skeleton().index("left_forearm");
@@ -64,6 +66,19 @@ TEST_CASE("joint limits: a target beyond them stops at them, an ellipsoid of rot
     const double most = farthest(ellipsoid);
     CHECK(most > 29.0 * kDegree);
     CHECK(most < 33.0 * kDegree);
+}
+
+TEST_CASE("joint limits: the papers' law keeps them as well, and swings beyond without them") {
+    body::JointLimits box;
+    box.lower_zyx = {-0.5, -30.0 * kDegree, -0.5};
+    box.upper_zyx = {0.5, 30.0 * kDegree, 0.5};
+    const double most = farthest(box, sim::Law::paper);
+    CHECK(most > 25.0 * kDegree);
+    CHECK(most < 33.0 * kDegree);
+    body::JointLimits wide;
+    wide.shape = body::LimitShape::ellipsoid;
+    wide.semi_axes = {1.5, 90.0 * kDegree, 1.5};
+    CHECK(farthest(wide, sim::Law::paper) > 45.0 * kDegree);
 }
 
 TEST_CASE("joint limits: within them they change nothing") {
