@@ -92,11 +92,8 @@ void Endpoint::hear() {
         const auto received = socket_.receive(buffer, kCheckStopping);
         if (stopping_) return;
         drop_silent();
-        if (received) {
-            hear({buffer.data(), received->size}, received->from);
-        } else {
-            drop_unreachable();
-        }
+        drop_unreachable();
+        if (received) hear({buffer.data(), received->size}, received->from);
     }
 }
 

@@ -143,6 +143,26 @@ TEST_CASE("endpoint: what is told faster than it can be sent is left out, poses 
     CHECK(listener.hears("/finished"));
 }
 
+TEST_CASE("endpoint: one that is gone is dropped, though the next one's packet takes its error") {
+    for (int round = 0; round < 5; ++round) {
+        Standing server;
+        OscListener witness(server.endpoint.port());
+        {
+            OscListener leaves(server.endpoint.port());
+            leaves.send(subscription("/subscribe", leaves.port(), "127.0.0.1"));
+            leaves.send("/ping");
+            REQUIRE(leaves.hears("/pong"));
+        }
+        witness.send(subscription("/subscribe", witness.port(), "127.0.0.1"));
+        witness.send("/ping");
+        REQUIRE(witness.hears("/pong"));
+        REQUIRE(server.endpoint.subscribers() == 2);
+        server.endpoint.tell(osc::StatusMessage{});
+        CHECK(witness.hears("/dropped"));
+        CHECK(server.endpoint.subscribers() == 1);
+    }
+}
+
 TEST_CASE("endpoint: who has fallen silent is dropped by time, though no packet comes") {
     Standing server;
     OscListener listener(server.endpoint.port());
