@@ -10,6 +10,7 @@
 #include "app/recorder.hpp"
 #include "app/server.hpp"
 #include "app/simulation_flags.hpp"
+#include "app/tape.hpp"
 #include "app/told_comparison.hpp"
 #include "support/running_server.hpp"
 
@@ -157,6 +158,16 @@ TEST_CASE("a recording asked for over OSC replaces no file and follows no link")
         std::ifstream in(file);
         CHECK(std::string(std::istreambuf_iterator<char>(in), {}) == "as it was");
     }
+}
+
+TEST_CASE("what a run is told is kept in bounded memory; beyond that no recording begins late") {
+    const Folder folder;
+    app::Tape tape("");
+    const app::ScoreSource score{"long.wav", std::vector<char>(app::Tape::kMostKept / 4)};
+    for (int i = 0; i < 3; ++i) tape.loaded(i, score);
+    CHECK_NOTHROW(tape.require_idle());
+    tape.loaded(4, score);
+    CHECK_THROWS_AS(tape.begin(folder.path / "late.recording"), std::runtime_error);
 }
 
 TEST_CASE("on a disk that is nearly full a recording ends early, whole up to there, and says so") {
