@@ -134,6 +134,27 @@ TEST_CASE("a recording begun and ended while all plays is played again from the 
     CHECK(!replay(take).same);
 }
 
+TEST_CASE("what is recorded of a recording played again is that recording") {
+    const Folder folder;
+    app::ServeOptions options;
+    options.recording = folder.path / "first.recording";
+    perform(options, [](OscListener& client) {
+        send_tempo(client, 1.1);
+        client.send("/play");
+        REQUIRE(client.hears_contacts(12));
+    });
+    options = {};
+    options.replay = std::make_shared<const files::Recording>(
+        files::read_recording(folder.path / "first.recording"));
+    options.recording = folder.path / "second.recording";
+    options.endpoint.port = 0;
+    HurriedClock clock;
+    app::Server(options, clock).run(std::atomic<bool>{false});
+    const Replayed again = replay(files::read_recording(options.recording));
+    CHECK_MESSAGE(again.same, again.words);
+    CHECK(again.contacts.size() >= 12);
+}
+
 TEST_CASE("a recording asked for over OSC replaces no file and follows no link") {
     const Folder folder;
     const auto outside = folder.path / "outside";
