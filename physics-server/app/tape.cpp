@@ -64,8 +64,7 @@ void Tape::require_idle() const {
 
 void Tape::begin(const std::filesystem::path& path) {
     require_idle();
-    recorder_ = std::make_unique<Recorder>(path);
-    for (const files::Record& record : history_) recorder_->add(record);
+    recorder_ = std::make_unique<Recorder>(path, Recorder::kSpare, history_);
 }
 
 std::string Tape::end(std::int64_t step) {

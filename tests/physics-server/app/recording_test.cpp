@@ -7,6 +7,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/named_file.hpp"
 #include "app/recorder.hpp"
 #include "app/server.hpp"
 #include "app/simulation_flags.hpp"
@@ -200,6 +201,34 @@ TEST_CASE("on a disk that is nearly full a recording ends early, whole up to the
     const std::string fault = recorder.finish(1);
     CHECK(fault.find("nearly full") != std::string::npos);
     CHECK(fault.find("full.recording") != std::string::npos);
+}
+
+TEST_CASE("a file that is named alone lies on a disk too, which may be full") {
+    const Folder folder;
+    const auto before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path);
+    std::string fault;
+    {
+        app::Recorder recorder("full.recording", std::uintmax_t{1} << 62U);
+        recorder.add({files::RecordKind::settings, 0, {}});
+        fault = recorder.finish(1);
+        for (int i = 0; i < 100; ++i) std::ofstream(std::to_string(i) + ".kit") << "";
+        CHECK_THROWS_AS(app::require_room("another.kit"), std::runtime_error);
+    }
+    std::filesystem::current_path(before);
+    CHECK(fault.find("nearly full") != std::string::npos);
+}
+
+TEST_CASE("a recording takes a score of any size") {
+    const Folder folder;
+    const auto path = folder.path / "large.recording";
+    app::Recorder recorder(path, 0);
+    const std::vector<char> score(70U << 20U);
+    recorder.add({files::RecordKind::settings, 0, {}});
+    recorder.add({files::RecordKind::score, 0, files::pack_score("long.wav", score)});
+    recorder.add({files::RecordKind::told, 1, {}});
+    CHECK(recorder.finish(1).empty());
+    CHECK(std::filesystem::file_size(path) > score.size());
 }
 
 TEST_CASE("what a body is made of is kept as it was given") {
