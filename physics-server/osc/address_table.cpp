@@ -62,7 +62,9 @@ std::vector<Address> make_table() {
          {},
          [](Arguments) -> Command { return Stop{}; }},
         {"/score",
-         "load a Standard MIDI File from the server's score folder, or built-in",
+         "load FILE of the server's score folder, or built-in: a Standard MIDI File, MusicXML, or "
+         "a "
+         "recording of sound; for one drum also a motion: .bvh, or .csv of sticks",
          {{"FILE", "", true, true}},
          [](Arguments a) -> Command { return LoadScore{text(a, 0, "")}; }},
         {"/subscribe",
