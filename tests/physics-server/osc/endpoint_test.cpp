@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <memory>
 
 #include "support/osc_listener.hpp"
 #include "support/osc_writer.hpp"
@@ -161,6 +162,17 @@ TEST_CASE("endpoint: one that is gone is dropped, though the next one's packet t
         CHECK(witness.hears("/dropped"));
         CHECK(server.endpoint.subscribers() == 1);
     }
+}
+
+TEST_CASE("endpoint: what is told last is sent as often as all else, though the server ends") {
+    auto server = std::make_unique<Standing>();
+    OscListener listener(server->endpoint.port());
+    listener.send(subscription("/subscribe", listener.port(), "127.0.0.1"));
+    listener.send("/ping");
+    REQUIRE(listener.hears("/pong"));
+    server->endpoint.tell(osc::FinishedMessage{});
+    server.reset();
+    CHECK(listener.hears("/finished", 5));
 }
 
 TEST_CASE("endpoint: who has fallen silent is dropped by time, though no packet comes") {
