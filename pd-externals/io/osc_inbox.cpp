@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMostSenders = 16;
 constexpr double kLongestLookahead = 10.0;  // [s]
+constexpr double kMargin = 1.0;             // beyond that, for clocks and networks [s]
 constexpr double kComplaintsApart = 1.0;    // [s]
 constexpr double kReordering = 0.03;        // first packets may come that much out of order [s]
 constexpr double kSilence = 0.5;            // of a sender that is otherwise heard often [s]
@@ -102,7 +103,7 @@ void OscInbox::take(std::span<const std::uint8_t> bytes, const Endpoint& from, d
                              " dropped: more new words than a patch can have use for",
                          arrival);
             }
-            deliver(who, bundle);
+            deliver(who, bundle, arrival);
         }
     } catch (const MalformedOsc& e) {
         complain("malformed packet from " + to_string(from) + ": " + e.what(), arrival);
@@ -159,10 +160,16 @@ void OscInbox::follow_clock(Sender& sender, const OscPacket& packet, double arri
     sender.line.follow(sender.clock, sent);
 }
 
-void OscInbox::deliver(Sender& sender, OscBundle& bundle) {
+void OscInbox::deliver(Sender& sender, OscBundle& bundle, double arrival) {
     auto delivery = std::make_unique<Delivery>();
     if (bundle.tag != kImmediately && sender.clock.started()) {
         const double due = sender.due(bundle.tag);
+        if (due > arrival + kLongestLookahead + kMargin) {
+            complain("bundle from " + to_string(sender.from) +
+                         " dropped: its tag lies more than 10 s ahead",
+                     arrival);
+            return;
+        }
         delivery->due = due;
         delivery->stale = due < sender.back - kReordering && find_in(bundle, kContact) != nullptr;
         std::erase_if(bundle.messages, [&](const OscMessage& message) {

@@ -13,6 +13,9 @@
 // tenth of a second late is worth nothing: after a cable was out, none are rained down at once.
 // /started and /finished come several times too, and once for any one tag.
 //
+// What is due later than the longest lookahead after it came is dropped and complained of: it would
+// take the room of what is due before.
+//
 // What brings new words beyond those there is room for (WordBudget) is dropped and complained of.
 //
 // No thread, no clock: times are arguments, seconds of one monotonic clock. One thread at a time.
@@ -63,7 +66,7 @@ class OscInbox {
         double received = 0;   ///< packets
         double lost = 0;       ///< contacts that never came
         double repeated = 0;   ///< contacts dropped because they were heard before
-        double malformed = 0;  ///< packets, and messages of too many new words
+        double malformed = 0;  ///< packets, bundles too far ahead, messages of new words
         double senders = 0;
         double offset = 0;     ///< this machine's monotonic clock less the sender's time tag [s]
         double rate = 0;       ///< how much faster the sender's clock runs
@@ -97,7 +100,7 @@ class OscInbox {
 
     Sender& sender(const Endpoint& from, double arrival);
     void follow_clock(Sender& sender, const OscPacket& packet, double arrival) const;
-    void deliver(Sender& sender, OscBundle& bundle);
+    void deliver(Sender& sender, OscBundle& bundle, double arrival);
     bool affordable(const OscMessage& message);
     void complain(const std::string& text, double arrival);
 

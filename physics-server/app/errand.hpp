@@ -9,7 +9,6 @@
 #include <exception>
 #include <functional>
 #include <future>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,38 +26,41 @@ class Errand {
     Errand(osc::Endpoint& endpoint, std::string about)
         : endpoint_(endpoint), about_(std::move(about)) {}
 
-    /// `work` in another thread; then the asker hears /reply with `reply` of its result, or /error
-    /// with what it threw. Throws std::runtime_error if the one before has not been taken.
+    /// `work` in another thread; take() tells the asker how it went. Throws std::runtime_error if
+    /// the one before has not been taken.
     void begin(const osc::Heard& wish, std::function<Result()> work,
                std::function<std::string(const Result&)> reply) {
         if (going_.valid()) throw std::runtime_error(about_);
-        going_ = std::async(std::launch::async, [this, sender = wish.sender, address = wish.address,
-                                                 work = std::move(work), reply = std::move(reply)] {
-            try {
-                Result result = work();
-                endpoint_.answer(sender, "/reply", {address, reply(result)});
-                return std::optional<Result>(std::move(result));
-            } catch (const std::exception& error) {
-                fmt::print(stderr, "{}\n", error.what());
-                endpoint_.answer(sender, "/error", {address, error.what()});
-                return std::optional<Result>();
-            }
-        });
+        sender_ = wish.sender;
+        address_ = wish.address;
+        reply_ = std::move(reply);
+        going_ = std::async(std::launch::async, std::move(work));
     }
 
-    /// What came of it, once it has ended well.
-    std::optional<Result> take() {
+    /// Once it has ended, `use` of what came of it; then the asker hears /reply with `reply` of
+    /// that, or /error with what was thrown. Whoever acts on the answer finds the result in use.
+    template <class Use>
+    void take(Use use) {
         constexpr auto kAtOnce = std::chrono::seconds(0);
-        if (!going_.valid() || going_.wait_for(kAtOnce) != std::future_status::ready) {
-            return std::nullopt;
+        if (!going_.valid() || going_.wait_for(kAtOnce) != std::future_status::ready) return;
+        try {
+            Result result = going_.get();
+            const std::string said = reply_(result);
+            use(std::move(result));
+            endpoint_.answer(sender_, "/reply", {address_, said});
+        } catch (const std::exception& error) {
+            fmt::print(stderr, "{}\n", error.what());
+            endpoint_.answer(sender_, "/error", {address_, error.what()});
         }
-        return going_.get();
     }
 
   private:
     osc::Endpoint& endpoint_;
     std::string about_;
-    std::future<std::optional<Result>> going_;
+    osc::Peer sender_;  ///< who asked, and what
+    std::string address_;
+    std::function<std::string(const Result&)> reply_;
+    std::future<Result> going_;
 };
 
 }  // namespace percussionist::app

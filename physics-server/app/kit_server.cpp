@@ -258,8 +258,8 @@ void KitServer::save_kit(const osc::Heard& heard, const std::string& file) {
 }
 
 void KitServer::take_errands() {
-    saving_.take();
-    if (auto read = loading_.take()) use(std::move(*read));
+    saving_.take([](const std::string&) {});
+    loading_.take([this](KitScore read) { use(std::move(read)); });
 }
 
 void KitServer::tell_contact(const body::KitContact& contact) {

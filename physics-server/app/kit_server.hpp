@@ -39,7 +39,8 @@ class KitServer {
     /// Throws std::runtime_error (port, files) or std::invalid_argument (the kit).
     KitServer(const KitServeOptions& options, WallClock& clock);
 
-    /// Runs until `stop` is set, or the score ends if so asked.
+    /// Runs until `stop` is set, or the score ends if so asked. The thread that calls it is the
+    /// simulating one. Throws std::runtime_error if contacts.csv cannot be written.
     void run(const std::atomic<bool>& stop);
 
     [[nodiscard]] int port() const { return endpoint_.port(); }

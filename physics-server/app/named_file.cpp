@@ -20,10 +20,14 @@ std::filesystem::path named_file(const std::filesystem::path& folder, const std:
     return folder / (name + ending);
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+    return path.has_parent_path() ? path.parent_path() : ".";
+}
+
 void require_room(const std::filesystem::path& path) {
     constexpr std::ptrdiff_t kMostFiles = 100;
     if (std::filesystem::exists(path)) return;
-    const std::filesystem::path folder = path.parent_path(), ending = path.extension();
+    const std::filesystem::path folder = folder_of(path), ending = path.extension();
     std::error_code error;
     const std::filesystem::directory_iterator entries(folder, error);
     const auto there = std::count_if(begin(entries), end(entries), [&](const auto& entry) {

@@ -4,17 +4,24 @@
 #include <exception>
 #include <utility>
 
+#include "app/named_file.hpp"
+
 namespace percussionist::app {
 
 namespace {
 
 /// Minutes of playing: a disk that does not write for that long is none to record on.
 constexpr std::size_t kMostWaiting = 64U << 20U;  // [bytes]
+/// That much of a record counts: a score comes in one piece, of any size.
+constexpr std::size_t kMostOfOne = 1U << 20U;
 
 }  // namespace
 
-Recorder::Recorder(const std::filesystem::path& path, std::uintmax_t spare)
-    : path_(path), spare_(spare), writer_(path), thread_([this] { write(); }) {}
+Recorder::Recorder(const std::filesystem::path& path, std::uintmax_t spare,
+                   std::vector<files::Record> before)
+    : path_(path), spare_(spare), writer_(path), waiting_(std::move(before)), thread_([this] {
+          write();
+      }) {}
 
 Recorder::~Recorder() {
     if (thread_.joinable()) finish(0);
@@ -24,7 +31,7 @@ void Recorder::add(files::Record record) {
     {
         const std::lock_guard lock(mutex_);
         if (stopped_) return;
-        waiting_bytes_ += sizeof(record) + record.bytes.size();
+        waiting_bytes_ += std::min(sizeof(record) + record.bytes.size(), kMostOfOne);
         if (waiting_bytes_ > kMostWaiting) {
             stopped_ = true;
             fault_ = path_.string() + ": the disk is too slow; the recording ends early";
@@ -51,7 +58,7 @@ bool Recorder::disk_is_full(std::size_t more) {
     if (unchecked_ < kCheckEach) return false;
     unchecked_ = 0;
     std::error_code error;
-    const auto space = std::filesystem::space(path_.parent_path(), error);
+    const auto space = std::filesystem::space(folder_of(path_), error);
     return !error && space.available < spare_;
 }
 

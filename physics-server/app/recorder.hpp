@@ -22,8 +22,10 @@ class Recorder {
     /// On a disk with less than `spare` bytes left nothing more is written.
     static constexpr std::uintmax_t kSpare = 256U << 20U;
 
-    /// Throws std::runtime_error if the file cannot be written.
-    explicit Recorder(const std::filesystem::path& path, std::uintmax_t spare = kSpare);
+    /// `before`: the first records, however many. Throws std::runtime_error if the file cannot be
+    /// written.
+    explicit Recorder(const std::filesystem::path& path, std::uintmax_t spare = kSpare,
+                      std::vector<files::Record> before = {});
     /// Completes the file, if finish() was not called, at the last step it was told of.
     ~Recorder();
 

@@ -87,10 +87,10 @@ void add_replay_command(CLI::App& program) {
     command.add_option("recording", options->recording, "a .recording")->required();
     command.add_option("-o,--output", options->folder, "folder for the files that render writes");
     add_file_flags(command, options->files);
+    command.add_option("--gestures", options->server.gestures,
+                       "file of gestures of your own, if the recorded server had one");
     auto* serve =
-        command.add_option("--gestures", options->server.gestures,
-                           "file of gestures of your own, if the recorded server had one");
-    command.add_flag("--serve", options->serve, "in real time, over OSC as serve does");
+        command.add_flag("--serve", options->serve, "in real time, over OSC as serve does");
     command
         .add_option("--listen", options->server.endpoint.listen,
                     "address to listen on, with --serve")

@@ -130,8 +130,8 @@ void Server::begin_loading(const osc::Heard& heard, const std::string& name) {
 }
 
 void Server::take_errands() {
-    saving_.take();
-    if (auto read = loading_.take()) use(std::move(*read));
+    saving_.take([](const std::string&) {});
+    loading_.take([this](LoadedScore read) { use(std::move(read)); });
 }
 
 void Server::play() {

@@ -44,7 +44,9 @@ class Server {
     /// Throws std::runtime_error (port, files) or std::invalid_argument (options).
     Server(const ServeOptions& options, WallClock& clock);
 
-    /// Runs until `stop` is set, or the score ends if so asked.
+    /// Runs until `stop` is set, or the score ends if so asked. The thread that calls it is the
+    /// simulating one. Throws std::runtime_error if contacts.csv cannot be written, or a score in
+    /// the replay cannot be read.
     void run(const std::atomic<bool>& stop);
 
     [[nodiscard]] int port() const { return endpoint_.port(); }

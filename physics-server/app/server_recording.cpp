@@ -42,7 +42,9 @@ void Server::play_again() {
                 const auto said = osc::understand(path, arguments);
                 const auto* command = std::get_if<osc::Command>(&said);
                 if (command == nullptr || !shapes_performance(*command)) return;
-                obey_or_refuse({*command, path, {arguments.begin(), arguments.end()}, {}});
+                const osc::Heard heard{*command, path, {arguments.begin(), arguments.end()}, {}};
+                tape_.heard(steps(), heard);
+                obey_or_refuse(heard);
             });
         }
     }

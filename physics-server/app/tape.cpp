@@ -9,8 +9,9 @@ namespace percussionist::app {
 
 namespace {
 
-/// An hour of controls at 250 a second.
-constexpr std::size_t kMostKept = 900'000;
+std::size_t size(const files::Record& record) {
+    return sizeof record + record.bytes.size();
+}
 
 template <class... Kinds>
 bool is_one_of(const osc::Command& command) {
@@ -25,7 +26,8 @@ bool shapes_performance(const osc::Command& command) {
 }
 
 Tape::Tape(const std::string& settings)
-    : history_{{files::RecordKind::settings, 0, {settings.begin(), settings.end()}}} {}
+    : history_{{files::RecordKind::settings, 0, {settings.begin(), settings.end()}}},
+      kept_(size(history_.front())) {}
 
 void Tape::loaded(std::int64_t step, const ScoreSource& score) {
     keep({files::RecordKind::score, step, files::pack_score(score.name, score.bytes)});
@@ -42,8 +44,14 @@ void Tape::told(std::int64_t step, osc::Packet packet) {
 
 void Tape::keep(files::Record record) {
     if (recorder_) recorder_->add(record);
-    whole_ = whole_ && history_.size() < kMostKept;
-    if (whole_) history_.push_back(std::move(record));
+    if (!whole_) return;
+    kept_ += size(record);
+    whole_ = kept_ <= kMostKept;
+    if (whole_) {
+        history_.push_back(std::move(record));
+    } else {
+        history_ = {};  // of no use any more
+    }
 }
 
 void Tape::require_idle() const {
@@ -56,8 +64,7 @@ void Tape::require_idle() const {
 
 void Tape::begin(const std::filesystem::path& path) {
     require_idle();
-    recorder_ = std::make_unique<Recorder>(path);
-    for (const files::Record& record : history_) recorder_->add(record);
+    recorder_ = std::make_unique<Recorder>(path, Recorder::kSpare, history_);
 }
 
 std::string Tape::end(std::int64_t step) {

@@ -1,7 +1,8 @@
 // What a run of the server was told, all of it, and a recording of what it tells while one is made.
 //
 // A run follows from how it was made and what it was told at which step: with that, kept from the
-// start, a recording that begins late can be played again too. Simulating thread.
+// start, a recording that begins late can be played again too. Of a run that was told more than
+// 128 MB (scores, and two hours of controls at 250 a second) nothing is kept. Simulating thread.
 #pragma once
 
 #include <filesystem>
@@ -21,6 +22,8 @@ bool shapes_performance(const osc::Command& command);
 
 class Tape {
   public:
+    static constexpr std::size_t kMostKept = 128U << 20U;  ///< [bytes]
+
     /// `settings`: flags of the command line, one a line.
     explicit Tape(const std::string& settings);
 
@@ -40,6 +43,7 @@ class Tape {
     void keep(files::Record record);
 
     std::vector<files::Record> history_;
+    std::size_t kept_ = 0;  ///< [bytes]
     bool whole_ = true;
     std::unique_ptr<Recorder> recorder_;
 };

@@ -3,10 +3,13 @@
 //     percussionist recording 1\n
 //     then records: kind (4 letters), size [u32], step [i64], and that many bytes; big-endian
 //
+// clang-format off
 //     sets  how the body and the drum are made: flags of the command line, one a line
-//     scor  a score that was loaded: its file's name, a zero, the file's bytes; "\0": the built-in
-//     one hear  what the server was told: an OSC message, its numbers as doubles told  what the
-//     server told: an OSC bundle, its time tag simulated time ends  nothing more
+//     scor  a score that was loaded: its file's name, a zero, the file's bytes; "\0": the built-in one
+//     hear  what the server was told: an OSC message, its numbers as doubles
+//     told  what the server told: an OSC bundle, its time tag simulated time
+//     ends  nothing more
+// clang-format on
 //
 // A file that is cut, as by a crash, is read up to its last whole record. What cannot be understood
 // gives one RecordingError with file, byte and what was expected there. Memory grows with what is

@@ -62,7 +62,9 @@ std::vector<Address> make_table() {
          {},
          [](Arguments) -> Command { return Stop{}; }},
         {"/score",
-         "load a Standard MIDI File from the server's score folder, or built-in",
+         "load FILE of the server's score folder, or built-in: a Standard MIDI File, MusicXML, or "
+         "a "
+         "recording of sound; for one drum also a motion: .bvh, or .csv of sticks",
          {{"FILE", "", true, true}},
          [](Arguments a) -> Command { return LoadScore{text(a, 0, "")}; }},
         {"/subscribe",
@@ -137,12 +139,19 @@ std::string quoted(const std::string& text) {
     return '\'' + text.substr(0, kMost) + (text.size() > kMost ? "..." : "") + '\'';
 }
 
+std::size_t most_letters(const Parameter& p) {
+    constexpr std::size_t kOtherwise = 255;
+    return p.most > 0.0 ? static_cast<std::size_t>(p.most) : kOtherwise;
+}
+
 std::string wrong(const Parameter& p, const Argument& got) {
     const std::string shown = std::holds_alternative<double>(got)
                                   ? fmt::format("{:g}", std::get<double>(got))
                                   : quoted(std::get<std::string>(got));
     if (p.text) {
-        const std::string expected = *p.choices != '\0' ? listed(p.choices) : "a text";
+        const std::string expected =
+            *p.choices != '\0' ? listed(p.choices)
+                               : fmt::format("a text of at most {} letters", most_letters(p));
         return fmt::format("{}: expected {}, got {}", p.name, expected, shown);
     }
     return fmt::format("{}: expected a number from {:g} to {:g}{}{}, got {}", p.name, p.least,
@@ -170,7 +179,8 @@ std::vector<Argument> settled(const Address& address, std::span<const Argument> 
 bool fits(const Parameter& p, const Argument& got) {
     if (p.text) {
         const auto* word = std::get_if<std::string>(&got);
-        return word != nullptr && (*p.choices == '\0' || is_choice(p.choices, *word));
+        if (word == nullptr) return false;
+        return *p.choices == '\0' ? word->size() <= most_letters(p) : is_choice(p.choices, *word);
     }
     const double* value = std::get_if<double>(&got);
     return value != nullptr && *value >= p.least && *value <= p.most;

@@ -19,8 +19,8 @@ struct Parameter {
     const char* unit;   ///< "" where there is none
     bool text = false;  ///< a string; else a number
     bool required = true;
-    double least = 0.0;  ///< of a number
-    double most = 0.0;
+    double least = 0.0;        ///< of a number
+    double most = 0.0;         ///< of a number; of a text its most letters, 0: 255
     bool rest = false;         ///< the last one: any number of words and numbers, read as a line
     const char* choices = "";  ///< of a text: the words it may be; "": any
 };

@@ -92,11 +92,8 @@ void Endpoint::hear() {
         const auto received = socket_.receive(buffer, kCheckStopping);
         if (stopping_) return;
         drop_silent();
-        if (received) {
-            hear({buffer.data(), received->size}, received->from);
-        } else {
-            drop_unreachable();
-        }
+        drop_unreachable();
+        if (received) hear({buffer.data(), received->size}, received->from);
     }
 }
 
@@ -269,7 +266,7 @@ void Endpoint::send_loop() {
             wake_.wait_for(lock, std::chrono::duration<double>(wait), [this] {
                 return stopping_ || !outgoing_.empty() || !pictures_.empty();
             });
-            if (stopping_ && outgoing_.empty()) return;
+            if (stopping_ && outgoing_.empty()) break;
             batch.swap(outgoing_);
             if (batch.empty() && !pictures_.empty()) {
                 picture = std::move(pictures_.front());
@@ -280,6 +277,7 @@ void Endpoint::send_loop() {
         send_due(wall_());
         if (picture) send_picture(*picture);
     }
+    for (const Repeat& repeat : repeats_) broadcast(repeat.packet, repeat.feed);
 }
 
 void Endpoint::send_due(double now) {

@@ -47,8 +47,9 @@ struct Heard {
 
 class Endpoint {
   public:
-    /// Both threads start here. `wall` reads the server's steady wall clock [s]; called from the
-    /// sending thread. Throws std::runtime_error if the port cannot be had.
+    /// Both threads start here. `wall` reads the server's steady wall clock [s]; called from both
+    /// and from answer(), at once: it has to be thread-safe. Throws std::runtime_error if the port
+    /// cannot be had.
     Endpoint(const EndpointOptions& options, std::function<double()> wall);
     ~Endpoint();
 
@@ -106,8 +107,9 @@ class Endpoint {
 
     std::atomic<bool> stopping_{false};
 
-    // A lock each, none held for long: a flood keeps the hearing thread busy, and who holds a lock
-    // may lose the processor; the simulating thread never waits for that one.
+    // A lock each, none held for longer than a queue is changed or a budget is looked at. A flood
+    // keeps the hearing thread busy, and who holds a lock may lose the processor: take_commands()
+    // waits for none; tell() may wait for the sending thread, answer() for the hearing one.
     std::mutex commands_mutex_;
     std::deque<Heard> commands_;
     std::mutex answers_mutex_;

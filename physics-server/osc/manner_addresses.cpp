@@ -43,7 +43,7 @@ std::vector<Address> playing() {
         {"/nuance",
          "how each stroke is played: legato, tenuto, accent, vertical-accent, staccato, piston, a "
          "gesture of your own, or score: as it is written",
-         {{"NAME", "", true, true}, kHand},
+         {{"NAME", "", true, true, 0, 80}, kHand},
          [](Arguments a) -> Command {
              return SetNuance{word(a, 0), hand(a, 1)};
          }},

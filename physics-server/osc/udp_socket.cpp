@@ -116,9 +116,10 @@ std::optional<UdpSocket::Received> UdpSocket::receive(std::span<char> buffer, in
     if (poll(&waiting, 1, timeout_ms) <= 0) return std::nullopt;
     Received received{};
     socklen_t size = sizeof received.from;
-    const ssize_t got = recvfrom(fd_, buffer.data(), buffer.size(), 0,
+    const ssize_t got = recvfrom(fd_, buffer.data(), buffer.size(), MSG_DONTWAIT,
                                  reinterpret_cast<sockaddr*>(&received.from), &size);
-    // An error here is the echo of a send that nobody listened to: nothing has come.
+    // Woken by the echo of a send that nobody listened to, which a send may have taken since:
+    // nothing has come.
     if (got < 0) return std::nullopt;
     received.size = static_cast<std::size_t>(got);
     return received;

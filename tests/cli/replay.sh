@@ -14,6 +14,15 @@ grep -q 'the same to the last bit' "$work/again.txt"
 diff "$work/live/contacts.csv" "$work/again/contacts.csv"
 [ -s "$work/again/motion.glb" ] && [ -s "$work/again/motion.bvh" ] && [ -s "$work/again/performance.wav" ]
 
+# Over OSC, where it is told to listen.
+"$percussionist" replay --serve --listen 127.0.0.1 --port 0 "$work/take.recording" >"$work/served.txt"
+grep -q 'the same to the last bit' "$work/served.txt"
+if "$percussionist" replay --port 0 "$work/take.recording" 2>"$work/error.txt"; then
+    echo "--port without --serve is accepted"
+    exit 1
+fi
+grep -q -e '--serve' "$work/error.txt"
+
 # The body was made otherwise: nothing is the same.
 sed 's/^500$/501/' "$work/take.recording" >"$work/other.recording"
 if "$percussionist" replay "$work/other.recording" >"$work/other.txt" 2>"$work/error.txt"; then

@@ -292,6 +292,24 @@ TEST_CASE("ever new words are let in up to a bound, and what was known before go
     CHECK(box.got.size() == let_in + 1);
 }
 
+TEST_CASE("what is due later than the longest lookahead is refused, and what follows is heard") {
+    Box box;
+    const auto said = [&](double at) {
+        return osc_bundle(osc_tag(at), {osc_message("/other", "f", {osc_float(1.0)})});
+    };
+    box.inbox.take(clock_packet(100.0, kLookahead), kServer, 5e4);
+    box.got.clear();
+    for (int i = 0; i < 100; ++i) {
+        box.inbox.take(said(200.0 + i), kServer, 5e4 + 1e-3 * i);
+    }
+    CHECK(box.got.empty());
+    CHECK(box.inbox.status().malformed == 100);
+    REQUIRE(box.complaints.size() == 1);
+    CHECK(box.complaints[0].find("ahead") != std::string::npos);
+    box.inbox.take(said(109.0), kServer, 5e4 + 0.2);
+    CHECK(box.got.size() == 1);
+}
+
 TEST_CASE("malformed packets are counted; one a second is told of") {
     Box box;
     for (int i = 0; i < 100; ++i) {

@@ -7,9 +7,11 @@
 #include <memory>
 #include <thread>
 
+#include "app/named_file.hpp"
 #include "app/recorder.hpp"
 #include "app/server.hpp"
 #include "app/simulation_flags.hpp"
+#include "app/tape.hpp"
 #include "app/told_comparison.hpp"
 #include "support/running_server.hpp"
 
@@ -133,6 +135,27 @@ TEST_CASE("a recording begun and ended while all plays is played again from the 
     CHECK(!replay(take).same);
 }
 
+TEST_CASE("what is recorded of a recording played again is that recording") {
+    const Folder folder;
+    app::ServeOptions options;
+    options.recording = folder.path / "first.recording";
+    perform(options, [](OscListener& client) {
+        send_tempo(client, 1.1);
+        client.send("/play");
+        REQUIRE(client.hears_contacts(12));
+    });
+    options = {};
+    options.replay = std::make_shared<const files::Recording>(
+        files::read_recording(folder.path / "first.recording"));
+    options.recording = folder.path / "second.recording";
+    options.endpoint.port = 0;
+    HurriedClock clock;
+    app::Server(options, clock).run(std::atomic<bool>{false});
+    const Replayed again = replay(files::read_recording(options.recording));
+    CHECK_MESSAGE(again.same, again.words);
+    CHECK(again.contacts.size() >= 12);
+}
+
 TEST_CASE("a recording asked for over OSC replaces no file and follows no link") {
     const Folder folder;
     const auto outside = folder.path / "outside";
@@ -159,6 +182,16 @@ TEST_CASE("a recording asked for over OSC replaces no file and follows no link")
     }
 }
 
+TEST_CASE("what a run is told is kept in bounded memory; beyond that no recording begins late") {
+    const Folder folder;
+    app::Tape tape("");
+    const app::ScoreSource score{"long.wav", std::vector<char>(app::Tape::kMostKept / 4)};
+    for (int i = 0; i < 3; ++i) tape.loaded(i, score);
+    CHECK_NOTHROW(tape.require_idle());
+    tape.loaded(4, score);
+    CHECK_THROWS_AS(tape.begin(folder.path / "late.recording"), std::runtime_error);
+}
+
 TEST_CASE("on a disk that is nearly full a recording ends early, whole up to there, and says so") {
     const Folder folder;
     const auto path = folder.path / "full.recording";
@@ -168,6 +201,34 @@ TEST_CASE("on a disk that is nearly full a recording ends early, whole up to the
     const std::string fault = recorder.finish(1);
     CHECK(fault.find("nearly full") != std::string::npos);
     CHECK(fault.find("full.recording") != std::string::npos);
+}
+
+TEST_CASE("a file that is named alone lies on a disk too, which may be full") {
+    const Folder folder;
+    const auto before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path);
+    std::string fault;
+    {
+        app::Recorder recorder("full.recording", std::uintmax_t{1} << 62U);
+        recorder.add({files::RecordKind::settings, 0, {}});
+        fault = recorder.finish(1);
+        for (int i = 0; i < 100; ++i) std::ofstream(std::to_string(i) + ".kit") << "";
+        CHECK_THROWS_AS(app::require_room("another.kit"), std::runtime_error);
+    }
+    std::filesystem::current_path(before);
+    CHECK(fault.find("nearly full") != std::string::npos);
+}
+
+TEST_CASE("a recording takes a score of any size") {
+    const Folder folder;
+    const auto path = folder.path / "large.recording";
+    app::Recorder recorder(path, 0);
+    const std::vector<char> score(70U << 20U);
+    recorder.add({files::RecordKind::settings, 0, {}});
+    recorder.add({files::RecordKind::score, 0, files::pack_score("long.wav", score)});
+    recorder.add({files::RecordKind::told, 1, {}});
+    CHECK(recorder.finish(1).empty());
+    CHECK(std::filesystem::file_size(path) > score.size());
 }
 
 TEST_CASE("what a body is made of is kept as it was given") {

@@ -87,6 +87,19 @@ TEST_CASE("server: a score outside its folder, or none, is refused and the old o
     std::filesystem::remove_all(folder);
 }
 
+TEST_CASE("server: who plays as soon as a score is said to be loaded hears all of it") {
+    RunningServer server;
+    OscListener asker(server.port());
+    REQUIRE(asker.subscribes("sound"));
+    for (int i = 1; i <= 8; ++i) {
+        asker.send("/score", {"built-in"});
+        REQUIRE(asker.hears("/reply", i));
+        const auto before = asker.contacts().size();
+        asker.send("/play");
+        CHECK(asker.hears_contacts(before + 8));
+    }
+}
+
 TEST_CASE("server: unsubscribed, one hears no more") {
     RunningServer server;
     OscListener asker(server.port());

@@ -74,6 +74,19 @@ TEST_CASE("address table: a bound is within the range, also when it came as a fl
     }
 }
 
+TEST_CASE("address table: a name or a text is of bounded length") {
+    const auto of = [](std::size_t letters) {
+        return std::vector<Argument>{std::string(letters, 'x')};
+    };
+    CHECK(refusal("/nuance", of(80)) == "");
+    CHECK(refusal("/score", of(255)) == "");
+    for (const auto& [path, letters] : {std::pair("/nuance", "80"), std::pair("/score", "255")}) {
+        const std::string said = refusal(path, of(60000));
+        CHECK(said.find(std::string("at most ") + letters + " letters") != std::string::npos);
+        CHECK(said.size() < 200);
+    }
+}
+
 TEST_CASE("address table: an asker that names no host is sent to where it came from") {
     const auto said = understand("/subscribe", std::vector<Argument>{7771.0});
     const auto* wish = std::get_if<Subscribe>(&std::get<Command>(said));

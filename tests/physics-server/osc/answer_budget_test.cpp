@@ -32,3 +32,18 @@ TEST_CASE("answer budget: whoever floods is remembered though thousands of other
     }
     CHECK(allowed == 0);
 }
+
+TEST_CASE("answer budget: ever new hosts get no more than a few, however many they are") {
+    constexpr double kAll = AnswerBudget::kTogether * AnswerBudget::kAtOnce;
+    AnswerBudget budget;
+    int allowed = 0;
+    for (int round = 0; round < 100; ++round) {
+        for (in_addr_t host = 1; host <= AnswerBudget::kHosts + 1; ++host) {
+            allowed += answers(budget, host, 100, 7.0);
+        }
+    }
+    CHECK(allowed == static_cast<int>(kAll));
+    allowed = 0;
+    for (in_addr_t host = 1000; host < 2000; ++host) allowed += answers(budget, host, 100, 7.5);
+    CHECK(allowed == static_cast<int>(kAll / 2));
+}

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <memory>
 
 #include "support/osc_listener.hpp"
 #include "support/osc_writer.hpp"
@@ -141,6 +142,37 @@ TEST_CASE("endpoint: what is told faster than it can be sent is left out, poses 
     for (int i = 0; i < 20000; ++i) server.endpoint.tell(pose);
     server.endpoint.tell(osc::FinishedMessage{});
     CHECK(listener.hears("/finished"));
+}
+
+TEST_CASE("endpoint: one that is gone is dropped, though the next one's packet takes its error") {
+    for (int round = 0; round < 5; ++round) {
+        Standing server;
+        OscListener witness(server.endpoint.port());
+        {
+            OscListener leaves(server.endpoint.port());
+            leaves.send(subscription("/subscribe", leaves.port(), "127.0.0.1"));
+            leaves.send("/ping");
+            REQUIRE(leaves.hears("/pong"));
+        }
+        witness.send(subscription("/subscribe", witness.port(), "127.0.0.1"));
+        witness.send("/ping");
+        REQUIRE(witness.hears("/pong"));
+        REQUIRE(server.endpoint.subscribers() == 2);
+        server.endpoint.tell(osc::StatusMessage{});
+        CHECK(witness.hears("/dropped"));
+        CHECK(server.endpoint.subscribers() == 1);
+    }
+}
+
+TEST_CASE("endpoint: what is told last is sent as often as all else, though the server ends") {
+    auto server = std::make_unique<Standing>();
+    OscListener listener(server->endpoint.port());
+    listener.send(subscription("/subscribe", listener.port(), "127.0.0.1"));
+    listener.send("/ping");
+    REQUIRE(listener.hears("/pong"));
+    server->endpoint.tell(osc::FinishedMessage{});
+    server.reset();
+    CHECK(listener.hears("/finished", 5));
 }
 
 TEST_CASE("endpoint: who has fallen silent is dropped by time, though no packet comes") {
