@@ -14,6 +14,8 @@ modal::Stroke stroke_of(const sim::ContactEvent& contact, const modal::Mallet& t
     stroke.velocity = std::clamp(-contact.velocity.z(), 1e-3, 100.0);
     stroke.r = std::hypot(contact.place.x(), contact.place.y());
     stroke.theta = std::atan2(contact.place.y(), contact.place.x());
+    stroke.slide_x = contact.velocity.x();
+    stroke.slide_y = contact.velocity.y();
     stroke.mallet = tip;
     stroke.mallet.mass = contact.effective_mass;
     return stroke;

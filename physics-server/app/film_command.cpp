@@ -46,11 +46,11 @@ Filmed film_drum(const FilmCommandOptions& options, const std::filesystem::path&
     std::fflush(stdout);
     Performance performance(options.simulation);
     const sim::Simulation& simulation = performance.simulation();
-    FilmList list(work / "film.txt", options.film_options);
-    list.scene(simulation, options.simulation.head.membrane.radius);
     performance.load(std::move(score.strokes), score.motion);
     Steering steering(performance, body::built_in_gestures());
     obey(steering, options.messages);
+    FilmList list(work / "film.txt", options.film_options);
+    list.scene(simulation, simulation.options().head.membrane.radius);
     performance.play();
     while (performance.playing()) {
         for (const LoggedContact& contact : performance.step()) list.contact(contact.event);
@@ -58,7 +58,7 @@ Filmed film_drum(const FilmCommandOptions& options, const std::filesystem::path&
     }
     constexpr int kSampleRate = 48000;
     files::write_wav(work / "performance.wav", drum_sound(performance.log(), simulation.time(),
-                                                          kSampleRate, options.simulation.head));
+                                                          kSampleRate, simulation.options().head));
     return {list.finish(), describe(performance.summary())};
 }
 

@@ -26,15 +26,13 @@ void add_file_flags(CLI::App& command, FileOptions& options) {
 }
 
 PerformanceFiles::PerformanceFiles(std::filesystem::path folder, const FileOptions& options,
-                                   const Performance& performance,
-                                   const sim::SimulationOptions& simulation)
+                                   const Performance& performance)
     : folder_(made(std::move(folder))),
       options_(options),
       performance_(performance),
-      head_(simulation.head),
       bvh_(folder_ / "motion.bvh", performance.simulation().skeleton(), 1.0 / options.frames),
       gltf_(performance.simulation().skeleton(), performance.simulation().head_centre(),
-            simulation.head.membrane.radius) {}
+            performance.simulation().options().head.membrane.radius) {}
 
 void PerformanceFiles::stepped() {
     const sim::Simulation& simulation = performance_.simulation();
@@ -48,8 +46,9 @@ double PerformanceFiles::finish() {
     bvh_.finish();
     gltf_.write(folder_ / "motion.glb");
     performance_.log().write_csv(folder_ / "contacts.csv");
-    const files::Audio sound = drum_sound(performance_.log(), performance_.simulation().time(),
-                                          options_.sample_rate, head_);
+    const sim::Simulation& simulation = performance_.simulation();
+    const files::Audio sound = drum_sound(performance_.log(), simulation.time(),
+                                          options_.sample_rate, simulation.options().head);
     files::write_wav(folder_ / "performance.wav", sound);
     return peak(sound);
 }

@@ -22,18 +22,18 @@ class PerformanceFiles {
   public:
     /// Throws std::runtime_error if the folder or a file in it cannot be written.
     PerformanceFiles(std::filesystem::path folder, const FileOptions& options,
-                     const Performance& performance, const sim::SimulationOptions& simulation);
+                     const Performance& performance);
 
     /// To be called after each step.
     void stepped();
-    /// Completes them; the sound's peak level. Throws std::runtime_error.
+    /// Completes them, the sound with the head and the sticks as they are now; its peak level.
+    /// Throws std::runtime_error.
     double finish();
 
   private:
     std::filesystem::path folder_;
     FileOptions options_;
     const Performance& performance_;
-    sim::DrumheadOptions head_;
     BvhWriter bvh_;
     GltfMotion gltf_;
     int frames_ = 0;

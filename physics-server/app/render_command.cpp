@@ -30,9 +30,9 @@ void render(const RenderOptions& options) {
 
     Performance performance(options.simulation);
     Steering steering(performance, body::built_in_gestures());
-    PerformanceFiles files(options.folder, options.files, performance, options.simulation);
     performance.load(std::move(score.strokes), score.motion);
     obey(steering, options.messages);
+    PerformanceFiles files(options.folder, options.files, performance);
     performance.play();
     while (performance.playing()) {
         performance.step();

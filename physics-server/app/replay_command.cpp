@@ -54,8 +54,8 @@ void replay(ReplayOptions& options) {
     server_options.stepped = [&](const Performance& performance) {
         if (options.folder.empty()) return;
         if (!written) {
-            written = std::make_unique<PerformanceFiles>(options.folder, options.files, performance,
-                                                         server_options.simulation);
+            written =
+                std::make_unique<PerformanceFiles>(options.folder, options.files, performance);
         }
         written->stepped();
     };
