@@ -2,12 +2,13 @@
 
 #include <cmath>
 
+#include "body/stroke_path.hpp"
+
 namespace percussionist::body {
 
 namespace {
 
-/// How much of the tip's way the hand goes, and how slowly it answers: hands swing below this [Hz].
-constexpr double kHandShare = 0.45;
+/// How slowly the hand answers its tip: hands swing below this [Hz].
 constexpr double kHandFrequency = 6.0;
 
 /// A first-order smoothing there and back, which delays nothing.

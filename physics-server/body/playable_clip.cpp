@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "body/stroke_path.hpp"
 #include "core/listening/median.hpp"
 
 namespace percussionist::body {
@@ -17,8 +18,6 @@ constexpr double kApart = 0.06;
 constexpr double kDip = 0.002;
 /// Before its beginning and after its end a tip waits at least so far above the head [m].
 constexpr double kClear = 0.08;
-/// The hand goes with this share of what its tip is bent.
-constexpr double kHandShare = 0.45;
 
 }  // namespace
 
@@ -34,8 +33,7 @@ double Lift::at(double t) const {
     if (next == points_.end()) return points_.back().height;
     const Point& last = *(next - 1);
     const double s = (t - last.time) / (next->time - last.time);
-    const double share = s * s * s * (10.0 + s * (6.0 * s - 15.0));
-    return last.height + share * (next->height - last.height);
+    return last.height + minimum_jerk(s) * (next->height - last.height);
 }
 
 PlayableClip::PlayableClip(std::shared_ptr<const Clip> clip, const Skeleton& skeleton)

@@ -7,6 +7,7 @@
 #include "body/clip_follower.hpp"
 #include "body/joint_strength.hpp"
 #include "body/path_repair.hpp"
+#include "body/stroke_path.hpp"
 
 namespace percussionist::body {
 
@@ -156,7 +157,6 @@ class StickMotionMaker {
     }
 
     static constexpr double kHandAbove = 0.035;  ///< the head, when the tip strikes [m]
-    static constexpr double kHandShare = 0.45;
 
     const Skeleton& skeleton_;
     InverseKinematics kinematics_;

@@ -21,8 +21,7 @@ constexpr double kSinkTime = 0.40;
 constexpr double kRaiseTime = 0.35;
 /// In a rise shorter than this the hand need not catch up with the tip [s].
 constexpr double kShortRise = 0.1;
-/// How much of the tip's movement the hand makes.
-constexpr double kHandShare = 0.45;
+/// How much of the tip's speed the hand has when it strikes.
 constexpr double kHandSpeedShare = 0.10;
 constexpr double kForever = 1e9;
 /// Of a gesture: most of the rise lies in this time before the stroke [s]; no rise is faster than

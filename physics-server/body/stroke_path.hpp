@@ -20,6 +20,14 @@
 
 namespace percussionist::body {
 
+/// The hand goes with this share of what its tip rises.
+constexpr double kHandShare = 0.45;
+
+/// From 0 at s = 0 to 1 at s = 1, at rest at both ends.
+constexpr double minimum_jerk(double s) {
+    return s * s * s * (10.0 + s * (6.0 * s - 15.0));
+}
+
 struct PathState {
     double position = 0.0;      ///< [m]
     double velocity = 0.0;      ///< [m/s]

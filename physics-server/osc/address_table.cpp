@@ -63,8 +63,7 @@ std::vector<Address> make_table() {
          [](Arguments) -> Command { return Stop{}; }},
         {"/score",
          "load FILE of the server's score folder, or built-in: a Standard MIDI File, MusicXML, or "
-         "a "
-         "recording of sound; for one drum also a motion: .bvh, or .csv of sticks",
+         "a recording of sound; for one drum also a motion: .bvh, or .csv of sticks",
          {{"FILE", "", true, true}},
          [](Arguments a) -> Command { return LoadScore{text(a, 0, "")}; }},
         {"/subscribe",

@@ -183,7 +183,7 @@ void Simulation::begin_fade() {
 void Simulation::fade(double t) {
     const double s = (t - fade_start_) / kFade;
     if (s >= 1.0) return;
-    const double share = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+    const double share = body::minimum_jerk(s);
     for (std::size_t i = 0; i < target_.after.joints.size(); ++i) {
         target_.after.joints[i] = faded_from_.joints[i].slerp(share, target_.after.joints[i]);
     }

@@ -73,8 +73,7 @@ class Simulation {
     // the other smoothly. Setting the learnt inverse takes some 50 ms, and so does begin_with().
 
     /// Plays a clip (of this body's skeleton), the head where the clip strikes. `clock` says where
-    /// in the clip [s] it is at a simulated time; before its beginning it waits there. Takes
-    /// well under a millisecond.
+    /// in the clip [s] it is at a simulated time; before its beginning it waits there.
     void play(std::shared_ptr<const body::PlayableClip> clip, std::function<double(double)> clock);
     /// Follows a clip as it is, with the body put where the clip is at `start` [s], moving as it
     /// does; the head stays.
